@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fallen {
+
+/// From Mahalanobis distance to p(fallen person | d), and from a wanted rate of false positives to a
+/// threshold on it (the paper, Sec. III-F; the idea is of its reference [28]).
+///
+/// p falls strictly with d: a logistic curve in log d, so that distances far beyond those seen in
+/// training still rank, and no two clusters tie that differ.
+struct Calibration {
+  double slope = -1;     ///< of the logit in log(d), < 0
+  double intercept = 0;  ///< of the logit
+
+  /// Operating points measured on the validation set: threshold on p against false positives per
+  /// frame, both ascending in strictness (thresholds up, rates down).
+  struct OperatingPoint {
+    double min_probability = 0.5;
+    double false_positives_per_frame = 0;
+    double miss_rate = 0;
+    bool operator==(const OperatingPoint&) const = default;
+  };
+  std::vector<OperatingPoint> operating_points;
+
+  /// p(fallen | d), in (0, 1); d >= 0.
+  double Probability(double mahalanobis_distance) const;
+
+  /// Lowest threshold on p whose measured rate is at most `false_positives_per_frame`; the strictest
+  /// operating point if none is. @throws std::invalid_argument without operating points.
+  double MinProbability(double false_positives_per_frame) const;
+
+  void Validate() const;
+  bool operator==(const Calibration&) const = default;
+};
+
+/// Fits slope and intercept by maximum likelihood (Platt's targets against over-confidence).
+/// @throws std::invalid_argument if one class is missing.
+Calibration FitCalibration(std::span<const double> distances, std::span<const std::uint8_t> is_person);
+
+}  // namespace fallen

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "fallen/classification/calibration.hpp"
+#include "fallen/classification/growing_neural_gas.hpp"
+#include "fallen/classification/mahalanobis.hpp"
+#include "fallen/geometry/oriented_box.hpp"
+#include "fallen/segmentation/cell_segmentation.hpp"
+
+namespace fallen {
+
+/// Trained part of the classification, with the settings that it was trained for.
+struct ClusterModel {
+  IronConfig iron;
+  Codebook codebook;
+  double alpha = 0.7;  ///< soft threshold on the cosine
+  MahalanobisModel gaussian;
+  Calibration calibration;
+
+  void Validate() const;
+};
+
+struct ClassificationConfig {
+  /// The user's wish: false positives per frame at which the validation set set the threshold.
+  double false_positives_per_frame = 0.01;
+
+  void Validate() const;
+  template <class Visitor>
+  void Visit(Visitor&& visit) {
+    visit("false_positives_per_frame", false_positives_per_frame);
+  }
+};
+
+/// A cluster, judged.
+struct PersonHypothesis {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the cells' means, map frame [m]
+  OrientedBox box;                                     ///< smallest upright box around the cells
+  double probability = 0;                              ///< p(fallen | d)
+  double mahalanobis_distance = 0;
+  std::int32_t cell_count = 0;
+  double mean_score = 0;      ///< of the cell classifier, [-1, 1]
+  bool is_person = false;     ///< probability >= the threshold in force
+
+  bool operator==(const PersonHypothesis&) const = default;
+};
+
+/// The decision about one frame: every cluster, best first (ties: the order of the clusters).
+struct Decision {
+  MapFrame frame = MapFrame::kCamera;
+  double min_probability = 0.5;  ///< threshold in force
+  std::vector<PersonHypothesis> hypotheses;
+
+  bool operator==(const Decision&) const = default;
+};
+
+/// Judges every cluster (the paper, Sec. III-E and III-F).
+/// @throws std::invalid_argument if the descriptors are of another kind than the model's.
+/// Deterministic. Thread-safe.
+Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
+                          const ClassificationConfig& config = {});
+
+/// Smallest upright box around the cells of `cluster`, turned about the vertical (of the ground plane's frame).
+OrientedBox FitUprightBox(const SegmentedMap& segmented, const CellCluster& cluster);
+
+}  // namespace fallen

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fallen/ndt/ndt_cell.hpp"
+
+/// Cell normals and IRON descriptors (the paper, Sec. III-C).
+///
+/// [Schmiedel15] Schmiedel, Einhorn, Gross: IRON: A fast interest point descriptor for robust
+///               NDT-map matching and its application to robot localization. IROS 2015.
+namespace fallen {
+
+struct IronConfig {
+  double radius_m = 0.5;                  ///< neighbourhood, the paper Sec. III-C
+  int distance_bins = 3;                  ///< rows, of the squared distance
+  int angle_bins = 8;                     ///< columns, 0 to 90 degrees
+  double max_ball_ratio = 0.9;            ///< lambda0/lambda1 above it: a ball, no normal
+  double min_needle_ratio = 0.1;          ///< lambda1/lambda2 below it: a needle, no normal
+  int min_neighbors = 5;                  ///< fewer: no descriptor
+
+  /// Values in a descriptor: two histograms of rows x columns.
+  int dimension() const { return 2 * distance_bins * angle_bins; }
+  void Validate() const;
+  template <class Visitor>
+  void Visit(Visitor&& visit) {
+    visit("radius_m", radius_m);
+    visit("distance_bins", distance_bins);
+    visit("angle_bins", angle_bins);
+    visit("max_ball_ratio", max_ball_ratio);
+    visit("min_needle_ratio", min_needle_ratio);
+    visit("min_neighbors", min_neighbors);
+  }
+  bool operator==(const IronConfig&) const = default;
+};
+
+/// Surface normal of a cell, from the eigenvectors of its covariance.
+struct CellNormal {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();       ///< unit; its sign is arbitrary
+  Eigen::Vector3f eigenvalues = Eigen::Vector3f::Zero();  ///< ascending [m^2]
+  bool usable = false;  ///< false for balls and needles: no descriptor, nobody's neighbour
+};
+
+std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config = {});
+
+/// Descriptors of all cells, one row each.
+struct IronDescriptors {
+  using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// cells x dimension: histogram 1 (normal against normal) row-major, then histogram 2 (normal
+  /// against connecting line). Each sums to 1 in a valid row; invalid rows are zero.
+  Matrix values;
+  std::vector<std::int32_t> neighbor_counts;  ///< 0: filtered out or too few neighbours
+
+  bool valid(std::size_t i) const { return neighbor_counts[i] > 0; }
+};
+
+/// Computes the descriptor of each cell for which `wanted` is non-zero (all, if it is empty).
+/// Every cell of `cells` counts as neighbour, wanted or not.
+///
+/// @param wanted  Empty, or one flag a cell.
+/// @throws std::invalid_argument if sizes disagree or `config` is out of range.
+/// Deterministic; a cell's descriptor does not depend on `wanted`. O(pairs within the radius).
+IronDescriptors ComputeIronDescriptors(std::span<const NdtCell> cells,
+                                       std::span<const CellNormal> normals,
+                                       std::span<const std::uint8_t> wanted = {},
+                                       const IronConfig& config = {});
+
+}  // namespace fallen

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+/// Guarded decoding: lengths are checked against the bytes present before anything is allocated.
+///
+/// Code that lcm-gen makes throws, allocates gigabytes or writes out of bounds for hostile lengths,
+/// so nothing here calls it before the layout of the message has been walked through.
+namespace fallen {
+
+/// A message, or why the bytes are none.
+template <class Message>
+struct Decoded {
+  std::optional<Message> message;
+  std::string error;  ///< empty with a message; else what, where, got, expected
+
+  explicit operator bool() const { return message.has_value(); }
+};
+
+/// Decodes one message of a type of ours. Never throws, whatever the bytes.
+/// Instantiated for every type in lcmtypes/ that travels alone or in a file.
+template <class Message>
+Decoded<Message> DecodeMessage(std::span<const std::uint8_t> bytes) noexcept;
+
+}  // namespace fallen

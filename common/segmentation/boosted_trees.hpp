@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fallen/geometry/enum_names.hpp"
+
+/// AdaBoost over decision trees (the paper, Sec. III-D.2).
+///
+/// [Freund95]   Freund, Schapire: A decision-theoretic generalization of on-line learning and an
+///              application to boosting. EuroCOLT 1995.
+/// [Friedman00] Friedman, Hastie, Tibshirani: Additive logistic regression. Annals of Statistics 28.
+namespace fallen {
+
+using FeatureMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A boosted ensemble of binary decision trees, flattened for use.
+///
+/// All nodes of all trees lie in one array. An inner node sends x to `left` if
+/// x[feature] <= threshold, else to left + 1; a leaf has feature -1 and votes `value`.
+/// Invariant (checked by Validate): children come after their parent, so evaluation ends.
+struct BoostedTrees {
+  struct Node {
+    std::int32_t feature = -1;
+    float threshold = 0;
+    std::int32_t left = 0;
+    float value = 0;
+    bool operator==(const Node&) const = default;
+  };
+  std::int32_t feature_count = 0;
+  std::vector<std::int32_t> roots;
+  std::vector<Node> nodes;
+
+  /// @throws std::invalid_argument for a structure that evaluation could not survive.
+  void Validate() const;
+  bool operator==(const BoostedTrees&) const = default;
+};
+
+/// Sum of the trees' votes divided by the sum of their largest absolute votes: in [-1, 1], positive
+/// means person. One score a row of `features`.
+/// @throws std::invalid_argument if the column count differs from the model's.
+std::vector<float> PredictScores(const BoostedTrees& model, const Eigen::Ref<const FeatureMatrix>& features);
+
+enum class BoostingVariant : std::int32_t { kDiscrete = 0, kReal = 1, kGentle = 2 };
+constexpr auto EnumNames(BoostingVariant) {
+  return EnumTable<BoostingVariant, 3>{{{BoostingVariant::kDiscrete, "discrete"},
+                                        {BoostingVariant::kReal, "real"},
+                                        {BoostingVariant::kGentle, "gentle"}}};
+}
+
+struct BoostingConfig {
+  BoostingVariant variant = BoostingVariant::kGentle;
+  int rounds = 150;
+  int max_depth = 4;
+  double min_leaf_weight = 1e-4;  ///< share of the total weight that a leaf must hold
+  int threshold_bins = 256;       ///< split candidates per feature (quantiles), <= 256
+
+  void Validate() const;
+  template <class Visitor>
+  void Visit(Visitor&& visit) {
+    visit("variant", variant);
+    visit("rounds", rounds);
+    visit("max_depth", max_depth);
+    visit("min_leaf_weight", min_leaf_weight);
+    visit("threshold_bins", threshold_bins);
+  }
+};
+
+/// Told after every round; training error is the weighted share of wrong signs.
+struct BoostingProgress {
+  int round = 0;
+  double training_error = 0;
+};
+
+/// Trains on `features` (samples x features) with `labels` +1 (person) or -1 and positive `weights`
+/// (empty: all equal). Deterministic. Threads change nothing but the time.
+/// @throws std::invalid_argument if sizes disagree, a value is not finite, or one class is missing.
+BoostedTrees TrainBoostedTrees(const Eigen::Ref<const FeatureMatrix>& features,
+                               std::span<const std::int8_t> labels, std::span<const float> weights,
+                               const BoostingConfig& config,
+                               const std::function<void(const BoostingProgress&)>& progress = {});
+
+}  // namespace fallen

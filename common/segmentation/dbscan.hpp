@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fallen {
+
+/// Cluster index of a point that belongs to none.
+inline constexpr std::int32_t kNoise = -1;
+
+/// DBSCAN (the paper, Sec. III-D.4).
+///
+/// [Ester96] Ester, Kriegel, Sander, Xu: A density-based algorithm for discovering clusters in large
+///           spatial databases with noise. KDD 1996.
+/// A core point has at least `min_points` points within `epsilon_m`, itself included. A border point
+/// goes to the cluster of its nearest core point (ties: the smaller index), so the result does not
+/// depend on the order of the points but for the numbering of the clusters.
+/// @return One label a point: kNoise, or 0, 1, ... in the order of the clusters' first core points.
+std::vector<std::int32_t> Dbscan(std::span<const Eigen::Vector3f> points, float epsilon_m, int min_points);
+
+
+}  // namespace fallen

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+/// Channel names, all in one place (README lists them with type, publisher and rate).
+namespace fallen::channels {
+
+inline constexpr char kRobotPose[] = "ROBOT_POSE";
+
+inline std::string Depth(const std::string& camera) { return "DEPTH_" + camera; }
+inline std::string NdtMap(const std::string& camera) { return "NDT_MAP_" + camera; }
+inline std::string Foreground(const std::string& camera) { return "FOREGROUND_" + camera; }
+inline std::string Clusters(const std::string& camera) { return "CLUSTERS_" + camera; }
+inline std::string FallenPersons(const std::string& camera) { return "FALLEN_PERSONS_" + camera; }
+inline std::string GroundTruth(const std::string& camera) { return "GROUND_TRUTH_" + camera; }
+/// `service` as in the executables' names without "fallen-", e.g. "ndt-mapping" -> STATUS_NDT_MAPPING.
+std::string Status(const std::string& service);
+
+/// Camera name that tools assume unless told: "CAMERA".
+inline constexpr char kDefaultCamera[] = "CAMERA";
+
+}  // namespace fallen::channels
