@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/detection/detector.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "fallen/detection/stopwatch.hpp"
+
+namespace fallen {
+namespace {
+
+void CheckTheyFit(const Model& model, const DetectorConfig& config,
+                  const BackgroundSubtractor& background) {
+  if (config.ndt.cell_size_m != model.cells.cell_size_m)
+    throw std::invalid_argument("ndt.cell_size_m is " + std::to_string(config.ndt.cell_size_m) +
+                                ", but the model was trained with " +
+                                std::to_string(model.cells.cell_size_m));
+  // An environment map of another cell size must be refused now, not at the first frame with a
+  // pose.
+  NdtMap no_cells;
+  no_cells.cell_size_m = config.ndt.cell_size_m;
+  no_cells.frame = MapFrame::kWorld;
+  background.Subtract(std::move(no_cells));
+}
+
+}  // namespace
+
+void DetectorConfig::Validate() const {
+  ground.Validate();
+  ndt.Validate();
+  background.Validate();
+  segmentation.Validate();
+  classification.Validate();
+}
+
+Detector::Detector(Model model, const DetectorConfig& config, BackgroundSubtractor background)
+    : model_(std::move(model)),
+      config_(config),
+      background_(std::move(background)),
+      mapper_(config.ndt) {
+  model_.Validate();
+  config_.Validate();
+  CheckTheyFit(model_, config_, background_);
+}
+
+FrameResult Detector::Detect(const Frame& frame) {
+  FrameResult result;
+  StageTimes& times = result.milliseconds;
+  Stopwatch total;
+
+  NdtMap map = UpdateMap(mapper_, frame, config_.ground, &times);
+
+  Stopwatch stage;
+  result.foreground = background_.Subtract(std::move(map));
+  times.background = stage.LapMilliseconds();
+
+  SegmentationTimes segmentation;
+  result.segmented =
+      SegmentCells(result.foreground, model_.cells, config_.segmentation, &segmentation);
+  times.iron = segmentation.iron;
+  times.cells = segmentation.cells;
+
+  stage.LapMilliseconds();
+  result.decision = ClassifyClusters(result.segmented, model_.clusters, config_.classification);
+  times.clusters = segmentation.clusters + stage.LapMilliseconds();
+
+  times.total = total.LapMilliseconds();
+  return result;
+}
+
+}  // namespace fallen
