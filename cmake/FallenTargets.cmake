@@ -1,4 +1,4 @@
-# The three kinds of target that this project has.
+# The kinds of target that this project has.
 
 # Sources say `#include "fallen/ndt/ndt_map.hpp"`, in the tree as after installation: in the build
 # folder, `include/fallen` is a link to `common/`.
@@ -35,6 +35,19 @@ function(fallen_library name)
   install(TARGETS ${target} EXPORT FallenPersonDetectorTargets)
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/fallen/${name}"
           FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# fallen_tool_library(<name> SOURCES <file>... DEPENDS <public target>... PRIVATE <private target>...) makes
+# fallen_<name>: code that command lines share, not installed. Sources say
+# `#include "tools/common/tool.hpp"`.
+function(fallen_tool_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  set(target fallen_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(fallen::${name} ALIAS ${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE fallen_warnings ${ARG_PRIVATE})
 endfunction()
 
 # fallen_executable(<output name> SOURCES <file>... DEPENDS <target>...) makes an installed program.
