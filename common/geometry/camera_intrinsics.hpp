@@ -28,7 +28,8 @@ struct CameraIntrinsics {
     return {fx * p_camera.x() / p_camera.z() + cx, fy * p_camera.y() / p_camera.z() + cy};
   }
 
-  /// @throws std::invalid_argument unless sizes are in [1, 8192], focal lengths positive, all finite.
+  /// @throws std::invalid_argument unless sizes are in [1, 8192], focal lengths positive, all
+  /// finite.
   void Validate() const;
 
   bool operator==(const CameraIntrinsics&) const = default;

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
-
-#include <Eigen/Geometry>
 
 #include "fallen/geometry/depth_image.hpp"
 #include "fallen/geometry/enum_names.hpp"
@@ -37,9 +36,9 @@ constexpr auto EnumNames(GroundMethod) {
 /// What came of it. Only with `kOk` does the plane mean anything.
 enum class GroundStatus : std::int32_t {
   kOk = 0,
-  kNoFloorInView = 1,   ///< an expected outcome: walls, a close object, the ceiling
-  kTooFewPoints = 2,    ///< hardly any depth in the image
-  kNoMounting = 3,      ///< asked for the mounting, but the image carries none
+  kNoFloorInView = 1,  ///< an expected outcome: walls, a close object, the ceiling
+  kTooFewPoints = 2,   ///< hardly any depth in the image
+  kNoMounting = 3,     ///< asked for the mounting, but the image carries none
 };
 constexpr auto EnumNames(GroundStatus) {
   return EnumTable<GroundStatus, 4>{{{GroundStatus::kOk, "ok"},
@@ -52,10 +51,11 @@ struct GroundConfig {
   GroundMethod method = GroundMethod::kAuto;
   /// A point this close to the plane supports it [m], > 0. PrimeSense noise at 3 m is 1-2 cm.
   double inlier_distance_m = 0.03;
-  /// Largest angle between the plane's normal and the expected up direction [deg], (0, 90): the cone.
-  /// Expected is the mounting's up, or the image's up direction where no mounting is known.
+  /// Largest angle between the plane's normal and the expected up direction [deg], (0, 90): the
+  /// cone. Expected is the mounting's up, or the image's up direction where no mounting is known.
   double max_tilt_deg = 35;
-  /// With `kAuto` and a known mounting, how far the image may correct it: angle [deg] and height [m].
+  /// With `kAuto` and a known mounting, how far the image may correct it: angle [deg] and height
+  /// [m].
   double max_mounting_error_deg = 4;
   double max_mounting_error_m = 0.10;
   /// Camera heights that are possible on this robot [m].
@@ -90,9 +90,9 @@ struct GroundConfig {
 struct GroundEstimate {
   GroundStatus status = GroundStatus::kNoFloorInView;
   GroundMethod method = GroundMethod::kMounting;  ///< the one that gave the plane; never `kAuto`
-  Plane plane;                                    ///< normal up; camera frame, unless said otherwise
-  std::int32_t inlier_count = 0;                  ///< of the sampled points
-  std::int32_t point_count = 0;                   ///< sampled points
+  Plane plane;                    ///< normal up; camera frame, unless said otherwise
+  std::int32_t inlier_count = 0;  ///< of the sampled points
+  std::int32_t point_count = 0;   ///< sampled points
 
   bool ok() const { return status == GroundStatus::kOk; }
   bool operator==(const GroundEstimate&) const = default;
@@ -108,15 +108,16 @@ GroundEstimate EstimateGround(const DepthImage& image,
                               const std::optional<Eigen::Isometry3d>& T_robot_camera,
                               const GroundConfig& config = {});
 
-/// Height of the camera above the plane [m], and its tilt: pitch (positive looks down) and roll [rad].
+/// Height of the camera above a plane, and how it is tilted over it.
 struct CameraAttitude {
   double height_m = 0;
-  double pitch_rad = 0;
-  double roll_rad = 0;
+  double pitch_rad = 0;  ///< positive looks down
+  double roll_rad = 0;   ///< about the view direction; positive if image right points down
 };
 CameraAttitude AttitudeOverGround(const Plane& ground_camera);
 
-/// Frame `level`: origin on the floor below the camera, z up, x along the camera's view direction.
+/// `T_level_camera` of the frame `level`: origin on the floor below the camera, z up, x along the
+/// camera's view direction (for a camera that looks straight down: along its image's up).
 Eigen::Isometry3d LevelFrameFromGround(const Plane& ground_camera);
 
 }  // namespace fallen
