@@ -22,9 +22,10 @@ const PoseSynchronizerConfig& Validated(const PoseSynchronizerConfig& config) {
   return config;
 }
 
-/// a - b [s], without overflow for whatever a message claims.
-double SecondsBetween(std::int64_t a, std::int64_t b) {
-  return (static_cast<double>(a) - static_cast<double>(b)) * 1e-6;
+/// True if `a` lies at least `duration_s` after `b`; whole microseconds, and no overflow for
+/// whatever times a message claims.
+bool IsAfterBy(std::int64_t a, std::int64_t b, double duration_s) {
+  return static_cast<double>(a) - static_cast<double>(b) >= std::round(duration_s * 1e6);
 }
 
 }  // namespace
@@ -41,8 +42,8 @@ PoseSynchronizer::PoseSynchronizer(const PoseSynchronizerConfig& config)
 bool PoseSynchronizer::IsSettled(const Frame& frame) const {
   const std::optional<std::int64_t> newest_pose = poses_.newest_utime();
   if (!newest_pose || *newest_pose >= frame.utime) return true;
-  if (SecondsBetween(frame.utime, *newest_pose) > config_.max_gap_s) return true;
-  return SecondsBetween(*newest_frame_utime_, frame.utime) >= config_.max_wait_s;
+  if (IsAfterBy(frame.utime, *newest_pose, config_.max_gap_s)) return true;
+  return IsAfterBy(*newest_frame_utime_, frame.utime, config_.max_wait_s);
 }
 
 void PoseSynchronizer::EmitFirst(std::vector<Frame>& emitted) {
