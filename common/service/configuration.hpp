@@ -3,16 +3,18 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "fallen/detection/detector.hpp"
+#include "fallen/service/capture_config.hpp"
 
 /// Configuration of a deployment: one YAML file that every service and tool reads its sections of.
 ///
 /// Sections: ground, ndt, background, segmentation, classification, files (model, environment_map),
-/// service (lcm_url, camera), capture. Every key has a default; an unknown key or section, a value of
-/// a wrong type or out of range is an error that names file and line.
+/// service (lcm_url, camera), capture. Every key has a default; an unknown key or section, a value
+/// of a wrong type or out of range is an error that names file and line.
 namespace fallen {
 
 /// Files that stages load. Relative paths are relative to the configuration file.
@@ -31,6 +33,8 @@ struct ServiceConfig {
   std::string lcm_url = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
   std::string camera = "CAMERA";
 
+  /// @throws std::invalid_argument for an empty URL or a camera that cannot be part of a channel.
+  void Validate() const;
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("lcm_url", lcm_url);
@@ -38,27 +42,32 @@ struct ServiceConfig {
   }
 };
 
-/// A loaded configuration. `segmentation` holds what the file overrides: apply it on the model's.
+/// A loaded configuration.
 struct Configuration {
   GroundConfig ground;
   NdtConfig ndt;
   BackgroundConfig background;
   ClassificationConfig classification;
-  FilesConfig files;
+  FilesConfig files;  ///< paths as they can be opened: no longer relative to the file
   ServiceConfig service;
+  CaptureConfig capture;
 
   /// The model's segmentation settings with the file's overrides.
+  /// @throws std::runtime_error naming file and line if they do not fit together.
   SegmentationConfig SegmentationOver(const SegmentationConfig& model_settings) const;
 
-  std::string segmentation_yaml;  ///< the section's text, "" if absent
-  std::string source;             ///< file, "" for the defaults
+  /// Applies what the section `segmentation` sets; empty if there is none.
+  std::function<void(SegmentationConfig&)> override_segmentation;
+  std::string source;  ///< file, "" for the defaults
 };
 
 /// @param path  Nothing: all defaults.
 /// @throws std::runtime_error: "<file>:<line>: <section>.<key>: got ..., expected ...".
 Configuration LoadConfiguration(const std::optional<std::filesystem::path>& path);
 
-/// The shipped model: beside the executable's installation, or in the source tree of a build.
+/// The shipped model: what the environment variable FALLEN_MODEL names, else
+/// share/fallen/models/fallen.model of the executable's installation, else models/fallen.model of
+/// the source tree of a build. Where none is there, the installation's path: opening it tells.
 std::filesystem::path ShippedModelPath();
 
 }  // namespace fallen
