@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/detection/detector.hpp"
-#include "fallen/clusters_t.hpp"
 #include "fallen/environment_map_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/ground_truth_t.hpp"
+#include "fallen/messages/depth_codec.hpp"
 #include "fallen/model_t.hpp"
 #include "fallen/ndt_map_t.hpp"
 #include "fallen/pose_t.hpp"
@@ -30,6 +32,7 @@ struct Header {
 
   bool operator==(const Header&) const = default;
 };
+header_t ToMessage(const Header& value);
 Header FromMessage(const header_t& message);
 
 /// A depth image as it travels.
@@ -38,13 +41,15 @@ struct StampedDepthImage {
   DepthImage image;
   std::optional<Eigen::Isometry3d> T_robot_camera;
 };
-depth_image_t ToMessage(const StampedDepthImage& value);
+/// Lossless but for the mounting's rotation, which travels as a quaternion (1e-15).
+depth_image_t ToMessage(const StampedDepthImage& value,
+                        DepthCompression compression = kDefaultDepthCompression);
 StampedDepthImage FromMessage(const depth_image_t& message);
 
-/// Robot pose; `T_world_robot` in the message's terms.
+/// Pose of the robot in the world, as the message has it; its velocities are not kept.
 struct StampedPose {
   std::int64_t utime = 0;
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
 };
 pose_t ToMessage(const StampedPose& value);

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -63,11 +63,15 @@ class LogWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Bytes of a message, for LogWriter.
+/// Bytes of a message, for LogWriter and for publishing. The message's counts must be the sizes of
+/// its arrays, as ToMessage makes them: the generated code does not check.
+/// @throws std::invalid_argument if it cannot be encoded.
 template <class Message>
 std::vector<std::uint8_t> EncodeMessage(const Message& message) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  if (message.encode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0) bytes.clear();
+  const int size = message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  if (size != static_cast<int>(bytes.size()))
+    throw std::invalid_argument(std::string(Message::getTypeName()) + ": cannot be encoded");
   return bytes;
 }
 
