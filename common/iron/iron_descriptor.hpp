@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "fallen/ndt/ndt_cell.hpp"
 
@@ -17,12 +16,12 @@
 namespace fallen {
 
 struct IronConfig {
-  double radius_m = 0.5;                  ///< neighbourhood, the paper Sec. III-C
-  int distance_bins = 3;                  ///< rows, of the squared distance
-  int angle_bins = 8;                     ///< columns, 0 to 90 degrees
-  double max_ball_ratio = 0.9;            ///< lambda0/lambda1 above it: a ball, no normal
-  double min_needle_ratio = 0.1;          ///< lambda1/lambda2 below it: a needle, no normal
-  int min_neighbors = 5;                  ///< fewer: no descriptor
+  double radius_m = 0.5;          ///< neighbourhood, the paper Sec. III-C
+  int distance_bins = 3;          ///< rows, of the squared distance
+  int angle_bins = 8;             ///< columns, 0 to 90 degrees
+  double max_ball_ratio = 0.9;    ///< lambda0/lambda1 above it: a ball, no normal
+  double min_needle_ratio = 0.1;  ///< lambda1/lambda2 below it: a needle, no normal
+  int min_neighbors = 5;          ///< fewer: no descriptor
 
   /// Values in a descriptor: two histograms of rows x columns.
   int dimension() const { return 2 * distance_bins * angle_bins; }
@@ -46,7 +45,8 @@ struct CellNormal {
   bool usable = false;  ///< false for balls and needles: no descriptor, nobody's neighbour
 };
 
-std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config = {});
+std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells,
+                                       const IronConfig& config = {});
 
 /// Descriptors of all cells, one row each.
 struct IronDescriptors {

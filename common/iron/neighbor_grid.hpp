@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace fallen {
 
@@ -16,7 +17,11 @@ namespace fallen {
 /// Copies the points. Points must be finite. Immutable after construction, so thread-safe.
 class NeighborGrid {
  public:
-  /// @param bucket_m  Edge of a grid cell [m], > 0; best near the radius that is searched most.
+  /// @param bucket_m  Edge of a grid cell [m], > 0; best near half the radius that is searched
+  /// most.
+  ///                  Widened where the points lie so far apart that the grid would outgrow them.
+  /// @throws std::invalid_argument if `bucket_m` is not positive, or a point is not finite or
+  ///         beyond 1e9 m.
   NeighborGrid(std::span<const Eigen::Vector3f> points, float bucket_m);
 
   /// Calls `visit(index, squared_distance)` for every point within `radius_m` of `query`, itself
@@ -24,27 +29,65 @@ class NeighborGrid {
   template <class Visit>
   void ForEachWithin(const Eigen::Vector3f& query, float radius_m, Visit&& visit) const {
     const float sq_radius = radius_m * radius_m;
-    const Eigen::Vector3i low = Bucket(query.array() - radius_m);
-    const Eigen::Vector3i high = Bucket(query.array() + radius_m);
-    for (int z = low.z(); z <= high.z(); ++z)
+    ForEachRun(query, radius_m, [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t k = begin; k < end; ++k) {
+        const float sq_distance = (sorted_points_[k] - query).squaredNorm();
+        if (sq_distance <= sq_radius) visit(sorted_index_[k], sq_distance);
+      }
+    });
+  }
+
+  /// Calls `visit(begin, end)` for runs of positions in `sorted_points()` that together hold every
+  /// point within `radius_m` of `query`, and some farther ones: for callers that test whole runs.
+  template <class Visit>
+  void ForEachRun(const Eigen::Vector3f& query, float radius_m, Visit&& visit) const {
+    // What rounding may take from a distance is given back, so that no point on the rim is lost.
+    const Eigen::Array3f reach =
+        radius_m + 4 * std::numeric_limits<float>::epsilon() * (query.array().abs() + radius_m);
+    const Eigen::Vector3i low = Bucket(query.array() - reach);
+    const Eigen::Vector3i high = Bucket(query.array() + reach);
+    const Eigen::Vector3i center = Bucket(query.array());
+    const float sq_reach = reach.maxCoeff() * reach.maxCoeff();
+    for (int z = low.z(); z <= high.z(); ++z) {
+      const float dz = Gap(z, center.z(), query.z(), origin_.z());
       for (int y = low.y(); y <= high.y(); ++y) {
+        const float dy = Gap(y, center.y(), query.y(), origin_.y());
+        if (dy * dy + dz * dz > sq_reach) continue;
         // Buckets of one row are neighbours in memory: one run of points for the whole row.
         const std::int32_t row = (z * size_.y() + y) * size_.x();
+        const std::int32_t begin = bucket_begin_[row + low.x()];
         const std::int32_t end = bucket_begin_[row + high.x() + 1];
-        for (std::int32_t k = bucket_begin_[row + low.x()]; k < end; ++k) {
-          const float sq_distance = (sorted_points_[k] - query).squaredNorm();
-          if (sq_distance <= sq_radius) visit(sorted_index_[k], sq_distance);
-        }
+        if (begin < end) visit(begin, end);
       }
+    }
   }
 
   std::size_t size() const { return sorted_points_.size(); }
+  std::span<const Eigen::Vector3f> sorted_points() const { return sorted_points_; }
+  /// Index that the point at a position of `sorted_points()` was given with.
+  std::span<const std::int32_t> sorted_index() const { return sorted_index_; }
 
  private:
-  Eigen::Vector3i Bucket(const Eigen::Array3f& p) const;  // clamped to the grid
+  Eigen::Vector3i Bucket(const Eigen::Array3f& p) const {  // clamped to the grid
+    const Eigen::Array3f scaled = ((p - origin_) * inverse_bucket_).floor();
+    return scaled.max(0.0f).min(last_).cast<int>();
+  }
 
+  // At most the distance along one axis from the query to the points of bucket `index` [m].
+  float Gap(int index, int center, float query, float origin) const {
+    if (index == center) return 0;
+    const float edge = origin + static_cast<float>(index > center ? index : index + 1) * bucket_;
+    // Buckets are found by multiplication, their edges here by another: leave room for rounding.
+    const float gap = index > center ? edge - query : query - edge;
+    const float slack = 4 * std::numeric_limits<float>::epsilon() *
+                        (std::abs(edge) + std::abs(query) + std::abs(origin));
+    return gap > slack ? gap - slack : 0;
+  }
+
+  float bucket_ = 1;
   float inverse_bucket_ = 1;
   Eigen::Array3f origin_ = Eigen::Array3f::Zero();
+  Eigen::Array3f last_ = Eigen::Array3f::Zero();  // index of the last bucket
   Eigen::Vector3i size_ = Eigen::Vector3i::Ones();
   std::vector<std::int32_t> bucket_begin_;
   std::vector<Eigen::Vector3f> sorted_points_;
