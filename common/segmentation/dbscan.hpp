@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace fallen {
 
@@ -15,13 +14,17 @@ inline constexpr std::int32_t kNoise = -1;
 
 /// DBSCAN (the paper, Sec. III-D.4).
 ///
-/// [Ester96] Ester, Kriegel, Sander, Xu: A density-based algorithm for discovering clusters in large
+/// [Ester96] Ester, Kriegel, Sander, Xu: A density-based algorithm for discovering clusters in
+/// large
 ///           spatial databases with noise. KDD 1996.
-/// A core point has at least `min_points` points within `epsilon_m`, itself included. A border point
-/// goes to the cluster of its nearest core point (ties: the smaller index), so the result does not
-/// depend on the order of the points but for the numbering of the clusters.
+/// A core point has at least `min_points` points within `epsilon_m`, itself included. A border
+/// point goes to the cluster of its nearest core point, where [Ester96] leaves it to the first that
+/// finds it (ties: the core point of the smaller index), so the result does not depend on the order
+/// of the points but for such ties and the numbering of the clusters.
 /// @return One label a point: kNoise, or 0, 1, ... in the order of the clusters' first core points.
-std::vector<std::int32_t> Dbscan(std::span<const Eigen::Vector3f> points, float epsilon_m, int min_points);
-
+/// @throws std::invalid_argument if a point is not finite, `epsilon_m` is not > 0 or `min_points`
+/// < 1. Deterministic. Thread-safe. O(pairs within epsilon_m).
+std::vector<std::int32_t> Dbscan(std::span<const Eigen::Vector3f> points, float epsilon_m,
+                                 int min_points);
 
 }  // namespace fallen
