@@ -9,7 +9,7 @@ find_package_handle_standard_args(OpenNI2 REQUIRED_VARS OpenNI2_LIBRARY OpenNI2_
 if(OpenNI2_FOUND AND NOT TARGET OpenNI2::OpenNI2)
   add_library(OpenNI2::OpenNI2 UNKNOWN IMPORTED)
   set_target_properties(OpenNI2::OpenNI2 PROPERTIES IMPORTED_LOCATION "${OpenNI2_LIBRARY}")
-  # As a system folder: its headers warn under our flags.
-  set_target_properties(OpenNI2::OpenNI2 PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
+  # Folders of imported targets are system folders: its headers warn under our flags.
+  set_target_properties(OpenNI2::OpenNI2 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES
                         "${OpenNI2_INCLUDE_DIR}")
 endif()

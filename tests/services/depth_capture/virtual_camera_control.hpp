@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/virtual_camera/virtual_pattern.hpp"
+
+namespace fallen::test {
+
+/// Scratch folder that goes when the test does.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "fallen-capture-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder: " + name);
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Steers the virtual cameras of this process and of those that it starts.
+class VirtualCameraControl {
+ public:
+  explicit VirtualCameraControl(const std::string& state = "plugged") {
+    Set(state);
+    setenv(virtual_camera::kControlVariable, (folder_ / "control").c_str(), 1);
+    unsetenv(virtual_camera::kFramesVariable);
+    unsetenv(virtual_camera::kCountVariable);
+    unsetenv(virtual_camera::kHotplugVariable);
+  }
+
+  /// By renaming, so that the driver never reads half a word.
+  void Set(const std::string& state) const {
+    std::ofstream(folder_ / "next") << state << '\n';
+    std::filesystem::rename(folder_ / "next", folder_ / "control");
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+}  // namespace fallen::test
