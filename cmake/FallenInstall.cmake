@@ -8,6 +8,6 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/FallenPersonDetectorConf
   COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/FallenPersonDetectorConfig.cmake"
               "${PROJECT_BINARY_DIR}/FallenPersonDetectorConfigVersion.cmake"
-              cmake/FindLCM.cmake cmake/FindOpenNI2.cmake
+              cmake/FindLCM.cmake cmake/FindOpenNI2.cmake cmake/FallenFlann.cmake
         DESTINATION "${package_dir}")
 install(DIRECTORY config models DESTINATION "${CMAKE_INSTALL_DATADIR}/fallen")
