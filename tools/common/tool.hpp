@@ -10,21 +10,15 @@ namespace CLI {
 class App;
 }
 
-/// What all command lines share: --help, --version, and how errors are told.
+/// The frame of a command line tool: parse, run, tell errors.
 namespace fallen {
 
-/// Exit status of a wrong call or of bad input.
-inline constexpr int kExitBadInput = 2;
-
-/// Makes the parser of tool `name` ("fallen-import"), with --version.
+/// Makes the parser of tool `name` ("fallen-import"), with --help and --version.
 std::unique_ptr<CLI::App> MakeToolParser(const std::string& name, const std::string& description);
 
-/// Parses the command line and runs the tool. What is thrown becomes one line on stderr,
-/// "<name>: <message>", and kExitBadInput.
+/// Parses the command line and runs the tool. A wrong call and what `run` throws become one line on
+/// stderr, "<name>: <message>", and kExitWrongCall.
 /// @param run  Called once the command line is right; returns the exit status.
 int RunTool(CLI::App& parser, int argc, const char* const* argv, const std::function<int()>& run);
-
-/// `message` on one line: what libraries say may hold line breaks.
-std::string OnOneLine(std::string message);
 
 }  // namespace fallen

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fallen/service/command_line.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/common/tool.hpp"
 
@@ -55,16 +56,16 @@ TEST(RunTool, AWrongCallIsOneLineAndStatusTwo) {
   for (const auto& arguments : std::vector<std::vector<const char*>>{
            {"--nubmer", "3"}, {"--number", "three"}, {"--number"}, {"stray"}}) {
     const Outcome outcome = RunWith(arguments, [] { return 0; });
-    EXPECT_EQ(outcome.status, kExitBadInput);
-    EXPECT_THAT(outcome.err, StartsWith("fallen-test: command line: "));
+    EXPECT_EQ(outcome.status, kExitWrongCall);
+    EXPECT_THAT(outcome.err, StartsWith("fallen-test: "));
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
   }
 }
 
 TEST(RunTool, AnExceptionIsOneLineAndStatusTwo) {
   const Outcome outcome =
-      RunWith({}, []() -> int { throw std::runtime_error("a.png: got\ntwo lines\n"); });
-  EXPECT_EQ(outcome.status, kExitBadInput);
+      RunWith({}, []() -> int { throw std::runtime_error("a.png: got\ntwo lines"); });
+  EXPECT_EQ(outcome.status, kExitWrongCall);
   EXPECT_EQ(outcome.err, "fallen-test: a.png: got two lines\n");
 }
 

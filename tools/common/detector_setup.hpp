@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "fallen/detection/detector.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace fallen {
+
+/// What the command line says about the detector.
+struct DetectorOptions {
+  std::optional<std::filesystem::path> config;           ///< nothing: all defaults
+  std::optional<std::filesystem::path> model;            ///< nothing: the configuration's
+  std::optional<std::filesystem::path> environment_map;  ///< nothing: the configuration's
+};
+
+/// Adds --config, --model and --map.
+void AddDetectorOptions(CLI::App& parser, DetectorOptions& options);
+
+/// Makes the detector of a configuration, as the services are set up by it.
+/// @throws std::runtime_error naming the file that is missing, damaged or does not fit.
+Detector MakeDetector(const DetectorOptions& options);
+
+}  // namespace fallen
