@@ -6,10 +6,17 @@
 #include <span>
 #include <vector>
 
+/// Calibrated probabilities and operating points.
+///
+/// [Platt99] Platt: Probabilistic outputs for support vector machines and comparisons to
+/// regularized
+///           likelihood methods. Advances in Large Margin Classifiers, 1999.
+/// [Lin07]   Lin, Lin, Weng: A note on Platt's probabilistic outputs for support vector machines.
+///           Machine Learning 68, 2007.
 namespace fallen {
 
-/// From Mahalanobis distance to p(fallen person | d), and from a wanted rate of false positives to a
-/// threshold on it (the paper, Sec. III-F; the idea is of its reference [28]).
+/// From Mahalanobis distance to p(fallen person | d), and from a wanted rate of false positives to
+/// a threshold on it (the paper, Sec. III-F; the idea is of its reference [28]).
 ///
 /// p falls strictly with d: a logistic curve in log d, so that distances far beyond those seen in
 /// training still rank, and no two clusters tie that differ.
@@ -27,19 +34,26 @@ struct Calibration {
   };
   std::vector<OperatingPoint> operating_points;
 
-  /// p(fallen | d), in (0, 1); d >= 0.
+  /// p(fallen | d), in (0, 1).
+  /// @throws std::invalid_argument if d is negative or not finite.
   double Probability(double mahalanobis_distance) const;
 
-  /// Lowest threshold on p whose measured rate is at most `false_positives_per_frame`; the strictest
-  /// operating point if none is. @throws std::invalid_argument without operating points.
+  /// Lowest threshold on p whose measured rate is at most `false_positives_per_frame`; the
+  /// strictest operating point if none is. @throws std::invalid_argument without operating points.
   double MinProbability(double false_positives_per_frame) const;
 
+  /// @throws std::invalid_argument unless the slope is negative, all values are in range and the
+  /// operating points get stricter from one to the next. None at all is valid: not yet measured.
   void Validate() const;
   bool operator==(const Calibration&) const = default;
 };
 
 /// Fits slope and intercept by maximum likelihood (Platt's targets against over-confidence).
-/// @throws std::invalid_argument if one class is missing.
-Calibration FitCalibration(std::span<const double> distances, std::span<const std::uint8_t> is_person);
+/// [Platt99] in log d, computed as [Lin07]. Without operating points: those are measured on frames.
+/// @throws std::invalid_argument if sizes disagree, a distance is negative or not finite, one class
+/// is missing, or persons are not nearer than others (the slope would not be negative).
+/// Deterministic.
+Calibration FitCalibration(std::span<const double> distances,
+                           std::span<const std::uint8_t> is_person);
 
 }  // namespace fallen

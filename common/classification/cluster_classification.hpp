@@ -41,8 +41,8 @@ struct PersonHypothesis {
   double probability = 0;                              ///< p(fallen | d)
   double mahalanobis_distance = 0;
   std::int32_t cell_count = 0;
-  double mean_score = 0;      ///< of the cell classifier, [-1, 1]
-  bool is_person = false;     ///< probability >= the threshold in force
+  double mean_score = 0;   ///< of the cell classifier, [-1, 1]
+  bool is_person = false;  ///< probability >= the threshold in force
 
   bool operator==(const PersonHypothesis&) const = default;
 };
@@ -57,12 +57,21 @@ struct Decision {
 };
 
 /// Judges every cluster (the paper, Sec. III-E and III-F).
-/// @throws std::invalid_argument if the descriptors are of another kind than the model's.
+/// @throws std::invalid_argument if the descriptors are of another kind than the model's, or the
+/// calibration has no operating points.
 /// Deterministic. Thread-safe.
 Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
                           const ClassificationConfig& config = {});
 
-/// Smallest upright box around the cells of `cluster`, turned about the vertical (of the ground plane's frame).
+/// Finds the box of the least ground area around the cells of `cluster`: about their means, and
+/// half a cell more on each side.
+///
+/// Upright means along z of the map frame, which is the vertical in all frames but
+/// MapFrame::kCamera, where no vertical is known. The box's x axis is the longer one; yaw lies in
+/// (-pi/2, pi/2].
+/// [Freeman75] Freeman, Shapira: Determining the minimum-area encasing rectangle for an arbitrary
+///             closed curve. CACM 18(7), 1975.
+/// @throws std::invalid_argument for a cluster without cells. O(n log n), and n^2 in hull corners.
 OrientedBox FitUprightBox(const SegmentedMap& segmented, const CellCluster& cluster);
 
 }  // namespace fallen

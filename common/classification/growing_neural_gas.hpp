@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <functional>
-
-#include <Eigen/Core>
 
 #include "fallen/iron/iron_descriptor.hpp"
 
@@ -15,14 +14,16 @@
 namespace fallen {
 
 struct GrowingNeuralGasConfig {
-  int max_units = 128;              ///< size of the codebook
-  std::int64_t steps = 400000;      ///< samples shown, drawn with replacement
-  int insert_interval = 100;        ///< lambda [Fritzke95]; raised if steps / max_units asks for it
-  double winner_rate = 0.2;         ///< epsilon_b
-  double neighbor_rate = 0.006;     ///< epsilon_n
-  double insert_error_decay = 0.5;  ///< alpha
-  double error_decay = 0.995;       ///< d, per step
-  int max_edge_age = 50;            ///< a_max
+  int max_units = 128;          ///< size of the codebook, [2, 4096]
+  std::int64_t steps = 400000;  ///< samples shown, drawn with replacement, >= 1
+  /// lambda, samples between two insertions, >= 1; raised to steps / (2 max_units) where that is
+  /// more, so that growth takes half of a long training and not its first moments.
+  int insert_interval = 100;
+  double winner_rate = 0.2;         ///< epsilon_b, (0, 1); this and all below: [Fritzke95] Sec. 3
+  double neighbor_rate = 0.006;     ///< epsilon_n, (0, 1)
+  double insert_error_decay = 0.5;  ///< alpha, (0, 1)
+  double error_decay = 0.995;       ///< d, per step, (0, 1)
+  int max_edge_age = 50;            ///< a_max, steps of the winner, >= 1
   std::int64_t seed = 1;
 
   void Validate() const;
@@ -43,10 +44,14 @@ struct GrowingNeuralGasConfig {
 /// Rows are unit vectors: the reference descriptors d_k.
 using Codebook = IronDescriptors::Matrix;
 
-/// Learns a codebook of `samples` (one descriptor a row) by a growing neural gas on the unit sphere:
-/// the distance is 1 - cosine, and a unit is normalised again after each move.
-/// @throws std::invalid_argument for fewer than two distinct non-zero samples.
-/// Deterministic by seed. `progress` is told the share done, about 100 times.
+/// Learns a codebook of `samples` (one descriptor a row) by a growing neural gas on the unit
+/// sphere: the distance is 1 - cosine, and a unit is normalised again after each move.
+/// @return At most `max_units` rows: fewer where `steps` end before the network has grown so far,
+/// or
+///         where units were removed at the very end.
+/// @throws std::invalid_argument for fewer than two samples of distinct direction, zero samples not
+///         counted, for samples that are not finite, and for `config` out of range.
+/// Deterministic by seed. `progress` is told the share done, about 100 times. O(steps * max_units).
 Codebook TrainGrowingNeuralGas(const Eigen::Ref<const IronDescriptors::Matrix>& samples,
                                const GrowingNeuralGasConfig& config,
                                const std::function<void(double)>& progress = {});

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace fallen {
@@ -13,6 +12,7 @@ namespace fallen {
 ///            J. Multivariate Analysis 88, 2004.
 class MahalanobisModel {
  public:
+  /// Of no dimension; has no distances.
   MahalanobisModel() = default;
   /// @param mean        K values.
   /// @param covariance  K x K, symmetric positive definite.
@@ -20,6 +20,7 @@ class MahalanobisModel {
   MahalanobisModel(const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance);
 
   /// sqrt((x - mean)' covariance^-1 (x - mean)).
+  /// @throws std::invalid_argument if `code` has another size than the mean or is not finite.
   double Distance(const Eigen::Ref<const Eigen::VectorXd>& code) const;
 
   const Eigen::VectorXd& mean() const { return mean_; }
@@ -28,17 +29,17 @@ class MahalanobisModel {
  private:
   Eigen::VectorXd mean_;
   Eigen::MatrixXd covariance_;
-  Eigen::LLT<Eigen::MatrixXd> cholesky_;
+  Eigen::MatrixXd lower_;  // Cholesky factor: covariance = lower lower'
 };
 
 /// A fitted model and how far its covariance was drawn towards a multiple of the identity.
 struct MahalanobisFit {
   MahalanobisModel model;
-  double shrinkage = 0;  ///< [0, 1], [Ledoit04]
+  double shrinkage = 0;  ///< (0, 1], [Ledoit04]
 };
 
 /// Fits mean and shrunken covariance to `codes`, one a row.
-/// @throws std::invalid_argument for fewer than two rows, or codes that are all alike.
+/// @throws std::invalid_argument for fewer than two rows, codes that are all alike or not finite.
 MahalanobisFit FitMahalanobis(const Eigen::Ref<const Eigen::MatrixXd>& codes);
 
 }  // namespace fallen

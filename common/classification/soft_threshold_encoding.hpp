@@ -10,7 +10,8 @@
 ///
 /// [Coates11] Coates, Ng: The importance of encoding versus training with sparse coding and vector
 ///            quantization. ICML 2011.
-/// [Yang09]   Yang, Yu, Gong, Huang: Linear spatial pyramid matching using sparse coding. CVPR 2009.
+/// [Yang09]   Yang, Yu, Gong, Huang: Linear spatial pyramid matching using sparse coding. CVPR
+/// 2009.
 namespace fallen {
 
 /// Code of a cluster: the mean over its descriptors x of f_k = max(0, cos(d_k, x) - alpha).

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/classification/cluster_classification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "fallen/classification/soft_threshold_encoding.hpp"
+
+namespace fallen {
+namespace {
+
+// Rows of the codebook are unit vectors to about float's precision.
+constexpr float kUnitTolerance = 1e-4F;
+
+[[noreturn]] void Fail(const std::string& what) {
+  throw std::invalid_argument("cluster_classification: " + what);
+}
+
+PersonHypothesis Judge(const SegmentedMap& segmented, const CellCluster& cluster,
+                       const ClusterModel& model, double min_probability) {
+  PersonHypothesis hypothesis;
+  for (const std::int32_t index : cluster.cells) {
+    const ScoredCell& scored = segmented.cells[index];
+    hypothesis.centroid += scored.cell.mean.cast<double>();
+    hypothesis.mean_score += scored.score;
+  }
+  const auto cell_count = static_cast<double>(cluster.cells.size());
+  hypothesis.centroid /= cell_count;
+  hypothesis.mean_score /= cell_count;
+  hypothesis.cell_count = static_cast<std::int32_t>(cluster.cells.size());
+  hypothesis.box = FitUprightBox(segmented, cluster);
+
+  const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
+  hypothesis.mahalanobis_distance = model.gaussian.Distance(code);
+  hypothesis.probability = model.calibration.Probability(hypothesis.mahalanobis_distance);
+  hypothesis.is_person = hypothesis.probability >= min_probability;
+  return hypothesis;
+}
+
+}  // namespace
+
+void ClusterModel::Validate() const {
+  iron.Validate();
+  if (codebook.rows() < 1) Fail("the codebook is empty");
+  if (codebook.cols() != iron.dimension())
+    Fail("the codebook's rows have " + std::to_string(codebook.cols()) + " values, must be " +
+         std::to_string(iron.dimension()));
+  for (Eigen::Index i = 0; i < codebook.rows(); ++i)
+    if (!(std::abs(codebook.row(i).norm() - 1) <= kUnitTolerance))
+      Fail("row " + std::to_string(i) + " of the codebook is not a unit vector");
+  if (!(alpha >= -1 && alpha < 1))
+    Fail("alpha is " + std::to_string(alpha) + ", must be in [-1, 1)");
+  if (gaussian.mean().size() != codebook.rows())
+    Fail("the gaussian has " + std::to_string(gaussian.mean().size()) +
+         " dimensions, must be the codebook's " + std::to_string(codebook.rows()));
+  calibration.Validate();
+}
+
+void ClassificationConfig::Validate() const {
+  if (!(false_positives_per_frame >= 0) || !std::isfinite(false_positives_per_frame))
+    Fail("false_positives_per_frame is " + std::to_string(false_positives_per_frame) +
+         ", must be >= 0 and finite");
+}
+
+Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
+                          const ClassificationConfig& config) {
+  config.Validate();
+  if (!(segmented.iron == model.iron))
+    Fail("the descriptors were computed with other settings than the model's");
+
+  Decision decision;
+  decision.frame = segmented.frame;
+  decision.min_probability = model.calibration.MinProbability(config.false_positives_per_frame);
+  for (const CellCluster& cluster : segmented.clusters)
+    decision.hypotheses.push_back(Judge(segmented, cluster, model, decision.min_probability));
+  // By distance: the same order as by probability, without the ties of its rounding near 0 and 1.
+  std::stable_sort(decision.hypotheses.begin(), decision.hypotheses.end(),
+                   [](const PersonHypothesis& a, const PersonHypothesis& b) {
+                     return a.mahalanobis_distance < b.mahalanobis_distance;
+                   });
+  return decision;
+}
+
+}  // namespace fallen

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/classification/cluster_classification.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+
+#include "fallen/classification/soft_threshold_encoding.hpp"
+
+namespace fallen {
+namespace {
+
+Codebook RandomUnits(int rows, int columns, std::mt19937& random) {
+  std::uniform_real_distribution<float> uniform(0, 1);
+  Codebook units = Codebook::NullaryExpr(rows, columns, [&] { return uniform(random); });
+  units.rowwise().normalize();
+  return units;
+}
+
+ClusterModel SmallModel() {
+  std::mt19937 random(1);
+  ClusterModel model;
+  model.codebook = RandomUnits(6, model.iron.dimension(), random);
+  model.gaussian =
+      MahalanobisModel(Eigen::VectorXd::Constant(6, 0.05), Eigen::MatrixXd::Identity(6, 6) * 1e-4);
+  model.calibration.slope = -2;
+  model.calibration.intercept = 5;
+  model.calibration.operating_points = {{0.1, 1.0, 0.0}, {0.6, 0.01, 0.2}};
+  return model;
+}
+
+// `clusters` clusters of `each` cells that lie along x, a metre apart.
+SegmentedMap MapOf(int clusters, int each) {
+  std::mt19937 random(2);
+  SegmentedMap map;
+  map.frame = MapFrame::kWorld;
+  for (int c = 0; c < clusters; ++c) {
+    CellCluster cluster;
+    for (int i = 0; i < each; ++i) {
+      cluster.cells.push_back(static_cast<std::int32_t>(map.cells.size()));
+      ScoredCell& scored = map.cells.emplace_back();
+      scored.cell.mean = {static_cast<float>(c), 0.05F * static_cast<float>(i), 0.1F};
+      scored.score = 0.25F * static_cast<float>(1 + i % 2);
+      scored.cluster = c;
+    }
+    cluster.descriptors = RandomUnits(each, map.iron.dimension(), random);
+    map.clusters.push_back(cluster);
+  }
+  return map;
+}
+
+TEST(ClassifyClusters, JudgesEveryClusterBestFirst) {
+  const ClusterModel model = SmallModel();
+  EXPECT_NO_THROW(model.Validate());
+  const SegmentedMap map = MapOf(5, 8);
+  const Decision decision = ClassifyClusters(map, model);
+  EXPECT_EQ(decision.frame, MapFrame::kWorld);
+  EXPECT_EQ(decision.min_probability, 0.6);
+  ASSERT_EQ(decision.hypotheses.size(), 5U);
+  double before = 1;
+  for (const PersonHypothesis& hypothesis : decision.hypotheses) {
+    EXPECT_LE(hypothesis.probability, before);
+    before = hypothesis.probability;
+    const auto index = static_cast<std::size_t>(hypothesis.centroid.x() + 0.5);
+    const CellCluster& cluster = map.clusters[index];
+    const double distance =
+        model.gaussian.Distance(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));
+    EXPECT_EQ(hypothesis.mahalanobis_distance, distance);
+    EXPECT_EQ(hypothesis.probability, model.calibration.Probability(distance));
+    EXPECT_EQ(hypothesis.is_person, hypothesis.probability >= 0.6);
+    EXPECT_NEAR(hypothesis.centroid.y(), 0.05 * 3.5, 1e-6);
+    EXPECT_NEAR(hypothesis.mean_score, 0.375, 1e-12);
+    EXPECT_EQ(hypothesis.cell_count, 8);
+    EXPECT_EQ(hypothesis.box, FitUprightBox(map, cluster));
+  }
+}
+
+TEST(ClassifyClusters, TakesTheThresholdOfTheWantedRate) {
+  const ClusterModel model = SmallModel();
+  const Decision loose = ClassifyClusters(MapOf(5, 8), model, {.false_positives_per_frame = 2});
+  EXPECT_EQ(loose.min_probability, 0.1);
+  for (const PersonHypothesis& hypothesis : loose.hypotheses)
+    EXPECT_EQ(hypothesis.is_person, hypothesis.probability >= 0.1);
+}
+
+TEST(ClassifyClusters, KeepsTheOrderOfEqualClusters) {
+  SegmentedMap map = MapOf(4, 3);
+  for (CellCluster& cluster : map.clusters) cluster.descriptors = map.clusters[0].descriptors;
+  const Decision decision = ClassifyClusters(map, SmallModel());
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(decision.hypotheses[c].centroid.x(), c, 1e-6);
+}
+
+TEST(ClassifyClusters, DecidesFramesWithoutClusters) {
+  EXPECT_TRUE(ClassifyClusters(MapOf(0, 0), SmallModel()).hypotheses.empty());
+}
+
+TEST(ClassifyClusters, RejectsOtherDescriptorsAndSettings) {
+  SegmentedMap map = MapOf(1, 4);
+  map.iron.radius_m = 0.4;
+  EXPECT_THROW(ClassifyClusters(map, SmallModel()), std::invalid_argument);
+  EXPECT_THROW(ClassifyClusters(MapOf(1, 4), SmallModel(), {.false_positives_per_frame = -1}),
+               std::invalid_argument);
+  ClusterModel uncalibrated = SmallModel();
+  uncalibrated.calibration.operating_points.clear();
+  EXPECT_THROW(ClassifyClusters(MapOf(1, 4), uncalibrated), std::invalid_argument);
+}
+
+TEST(ClusterModel, ValidateRejectsPartsThatDoNotFit) {
+  const auto rejects = [](auto&& change) {
+    ClusterModel model = SmallModel();
+    change(model);
+    EXPECT_THROW(model.Validate(), std::invalid_argument);
+  };
+  rejects([](auto& m) { m.codebook.resize(0, 48); });
+  rejects([](auto& m) { m.codebook.conservativeResize(6, 40); });
+  rejects([](auto& m) { m.codebook.row(2) *= 2; });
+  rejects([](auto& m) { m.codebook(2, 2) = std::nanf(""); });
+  rejects([](auto& m) { m.codebook.conservativeResize(5, 48); });
+  rejects([](auto& m) { m.alpha = 1; });
+  rejects([](auto& m) { m.alpha = std::nan(""); });
+  rejects([](auto& m) { m.gaussian = {}; });
+  rejects([](auto& m) { m.calibration.slope = 1; });
+  rejects([](auto& m) { m.iron.distance_bins = 0; });
+}
+
+}  // namespace
+}  // namespace fallen
