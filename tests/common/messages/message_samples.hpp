@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fallen/messages/conversions.hpp"
+#include "fallen/service_status_t.hpp"
+
+/// Values and messages in which every field says something, for tests.
+namespace fallen::samples {
+
+inline Header SampleHeader() { return {1'700'000'000'123'456, 42, "FRONT"}; }
+
+inline OrientedBox SampleBox() { return {{1, 2, 0.2}, {1.7, 0.5, 0.3}, 0.7}; }
+
+inline Eigen::Isometry3d SampleTransform() {
+  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  transform.linear() = (Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()) *
+                        Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 3).normalized()))
+                           .toRotationMatrix();
+  transform.translation() << 10.1, -20.2, 0.95;
+  return transform;
+}
+
+inline std::vector<NdtCell> SampleCells(int count) {
+  std::vector<NdtCell> cells;
+  for (int i = 0; i < count; ++i) {
+    const float f = static_cast<float>(i);
+    NdtCell cell;
+    cell.mean = {10 + 0.05f * f, -20 - 0.07f * f, 0.01f * f};
+    cell.covariance = {1e-4f + 1e-6f * f, 1e-5f, -2e-5f, 2e-4f, 3e-5f, 1.5e-4f};
+    cell.point_count = 4 + i;
+    cell.occupancy = 0.4f * f - 1;
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+inline GroundEstimate SampleGround() {
+  GroundEstimate ground;
+  ground.status = GroundStatus::kOk;
+  ground.method = GroundMethod::kVDisparity;
+  ground.plane = {Eigen::Vector3d(0.1, -0.2, 1).normalized(), 0.123456789};
+  ground.inlier_count = 1234;
+  ground.point_count = 4000;
+  return ground;
+}
+
+inline NdtMap SampleMap() {
+  return {0.05, MapFrame::kWorld, SampleTransform(), SampleGround(), SampleCells(7)};
+}
+
+inline ForegroundMap SampleForeground() {
+  return {SampleMap(), {1, 0, 1, 1, 0, 0, 1}, BackgroundStatus::kSubtracted};
+}
+
+/// Two clusters whose cells interleave, and cells in none.
+inline SegmentedMap SampleSegmented() {
+  SegmentedMap segmented;
+  segmented.cell_size_m = 0.05;
+  segmented.frame = MapFrame::kLevel;
+  segmented.T_map_camera = SampleTransform();
+  segmented.ground = SampleGround();
+  segmented.background = BackgroundStatus::kNoPose;
+  segmented.iron.distance_bins = 2;
+  segmented.iron.angle_bins = 3;
+  const std::int32_t clusters[] = {-1, 1, 0, 1, -1, 0, 0};
+  segmented.clusters.resize(2);
+  const auto cells = SampleCells(7);
+  for (int i = 0; i < 7; ++i) {
+    segmented.cells.push_back({cells[i], 0.25f * static_cast<float>(i) - 0.9f, clusters[i]});
+    if (clusters[i] >= 0) segmented.clusters[clusters[i]].cells.push_back(i);
+  }
+  for (auto& cluster : segmented.clusters) {
+    cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()), 12);
+    for (Eigen::Index row = 0; row < cluster.descriptors.rows(); ++row)
+      for (Eigen::Index column = 0; column < 12; ++column)
+        cluster.descriptors(row, column) =
+            0.01f * static_cast<float>(cluster.cells[row]) + 0.001f * static_cast<float>(column);
+  }
+  return segmented;
+}
+
+inline Decision SampleDecision() {
+  Decision decision;
+  decision.frame = MapFrame::kWorld;
+  decision.min_probability = 0.625;
+  decision.hypotheses.push_back({{1, 2, 0.3}, SampleBox(), 0.875, 3.25, 120, 0.5, true});
+  decision.hypotheses.push_back({{-1, 2.5, 0.1}, SampleBox(), 0.125, 33.5, 17, -0.25, false});
+  return decision;
+}
+
+inline GroundTruth SampleTruth() {
+  GroundTruth truth;
+  truth.person_box = SampleBox();
+  truth.person = "body-3";
+  truth.room = "room-1";
+  truth.objects.push_back({"furniture", "sofa", 3, {{0, 0, 0.4}, {2, 1, 0.8}, -1}});
+  truth.objects.push_back({"fallen_person", "body-3", 7, *truth.person_box});
+  truth.label_width = 4;
+  truth.label_height = 3;
+  truth.labels = {0, 0, 3, 3, 0, 7, 7, 3, 0, 7, 7, 0};
+  return truth;
+}
+
+inline StampedDepthImage SampleDepthImage() {
+  StampedDepthImage value;
+  value.header = SampleHeader();
+  value.image.intrinsics = {8, 6, 525.5, 526.25, 3.5, 2.5};
+  value.image.depth_unit_m = 1e-4;
+  for (int i = 0; i < 48; ++i) value.image.depth.push_back(static_cast<std::uint16_t>(i * 1000));
+  value.T_robot_camera = SampleTransform();
+  return value;
+}
+
+inline pose_t SamplePose() {
+  return ToMessage(StampedPose{1'700'000'000'000'001, {1.1, -2.2, 3.3}, {0.5, -0.5, 0.5, 0.5}});
+}
+
+inline service_status_t SampleStatus() {
+  service_status_t status{};
+  status.header = ToMessage(SampleHeader());
+  status.service = "ndt-mapping";
+  status.version = "0.1.0";
+  status.pid = 4711;
+  status.state = service_status_t::RUNNING;
+  status.text = "all is well";
+  status.received = 10;
+  status.rate_hz = 29.5;
+  return status;
+}
+
+/// A model with two code words and one tree; only the wire is to like it.
+inline model_t SampleModelMessage() {
+  model_t model{};
+  model.description = "sample";
+  model.cell_size_m = 0.05;
+  model.iron.radius_m = 0.5;
+  model.iron.distance_bins = 1;
+  model.iron.angle_bins = 2;
+  model.feature_count = 4;
+  model.tree_count = 1;
+  model.root = {0};
+  model.node_count = 3;
+  model.node_feature = {2, -1, -1};
+  model.node_threshold = {0.5f, 0, 0};
+  model.node_left = {1, 0, 0};
+  model.node_value = {0, -1, 1};
+  model.dimension = 4;
+  model.unit_count = 2;
+  model.codebook = {{1, 0, 0, 0}, {0, 1, 0, 0}};
+  model.gaussian_mean = {0.1, 0.2};
+  model.gaussian_covariance = {{1, 0.5}, {0.5, 2}};
+  model.operating_point_count = 2;
+  model.operating_point_min_probability = {0.5, 0.7};
+  model.operating_point_false_positives_per_frame = {0.1, 0.01};
+  model.operating_point_miss_rate = {0.2, 0.3};
+  return model;
+}
+
+}  // namespace fallen::samples
