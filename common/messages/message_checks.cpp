@@ -11,6 +11,7 @@ namespace {
 
 // A quaternion that went through floats is off by 1e-7; one that was never normalised by far more.
 constexpr double kQuaternionTolerance = 1e-3;
+constexpr double kScoreTolerance = 1e-3;
 
 }  // namespace
 
@@ -37,6 +38,10 @@ void CheckText(std::string_view field, const std::string& text, std::size_t max_
   if (bad != text.end())
     Fail(field, "control character " + std::to_string(static_cast<unsigned char>(*bad)),
          "printable text");
+}
+
+void Score(std::string_view field, double score) {
+  InRange(field, score, -1 - kScoreTolerance, 1 + kScoreTolerance);
 }
 
 void UnitQuaternion(std::string_view field, const double (&wxyz)[4]) {

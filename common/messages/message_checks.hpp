@@ -63,6 +63,9 @@ inline bool Boolean(std::string_view field, std::int8_t value) {
 /// A string that fits `max_bytes` and holds no control characters but line breaks and tabs.
 void CheckText(std::string_view field, const std::string& text, std::size_t max_bytes);
 
+/// A cell classifier's score, [-1, 1] to within what means of floats lose.
+void Score(std::string_view field, double score);
+
 /// A quaternion w x y z of unit length, to within what single precision loses.
 void UnitQuaternion(std::string_view field, const double (&wxyz)[4]);
 

@@ -103,7 +103,7 @@ TEST_P(DepthCodec, SurvivesRandomDamage) {
   std::mt19937 random(7);
   for (int round = 0; round < 2000; ++round) {
     std::vector<std::uint8_t> damaged = encoded.bytes;
-    for (unsigned flips = 1 + random() % 4; flips > 0; --flips)
+    for (auto flips = 1 + random() % 4; flips > 0; --flips)
       damaged[random() % damaged.size()] = static_cast<std::uint8_t>(random());
     try {
       EXPECT_EQ(DecodeDepth(damaged, encoded.compression, 64, 48).size(), image.size());

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <string>
+
+#include "fallen/messages/conversions.hpp"
+#include "fallen/messages/map_conversion.hpp"
+#include "fallen/messages/message_checks.hpp"
+#include "fallen/messages/message_limits.hpp"
+
+namespace fallen {
+namespace {
+
+const std::string kClusters = "clusters_t";
+
+std::vector<NdtCell> Cells(const SegmentedMap& segmented) {
+  std::vector<NdtCell> cells;
+  cells.reserve(segmented.cells.size());
+  for (const ScoredCell& scored : segmented.cells) cells.push_back(scored.cell);
+  return cells;
+}
+
+// Descriptors in the order of the cells; that each cluster lists its own cells is checked on the
+// way.
+std::vector<std::vector<float>> DescriptorsToMessage(const SegmentedMap& segmented, int dimension) {
+  std::vector<std::vector<float>> rows;
+  std::vector<std::size_t> next(segmented.clusters.size(), 0);
+  for (std::size_t i = 0; i < segmented.cells.size(); ++i) {
+    const std::int32_t cluster = segmented.cells[i].cluster;
+    if (cluster < 0) continue;
+    if (static_cast<std::size_t>(cluster) >= segmented.clusters.size())
+      checks::Fail("clusters_t.cluster", std::to_string(cluster),
+                   "less than " + std::to_string(segmented.clusters.size()));
+    const CellCluster& members = segmented.clusters[cluster];
+    const std::size_t row = next[cluster]++;
+    if (row >= members.cells.size() || members.cells[row] != static_cast<std::int32_t>(i) ||
+        static_cast<std::size_t>(members.descriptors.rows()) != members.cells.size() ||
+        members.descriptors.cols() != dimension)
+      checks::Fail("clusters_t.descriptor",
+                   "cluster " + std::to_string(cluster) + " without cell " + std::to_string(i),
+                   "each cluster's cells, ascending, with a descriptor each");
+    const auto values = members.descriptors.row(static_cast<Eigen::Index>(row));
+    rows.emplace_back(values.data(), values.data() + dimension);
+  }
+  for (std::size_t c = 0; c < next.size(); ++c)
+    if (next[c] != segmented.clusters[c].cells.size())
+      checks::Fail("clusters_t.cluster",
+                   std::to_string(segmented.clusters[c].cells.size()) + " cells in cluster " +
+                       std::to_string(c),
+                   std::to_string(next[c]) + ", those that name it");
+  return rows;
+}
+
+// Cells of each cluster, ascending.
+std::vector<CellCluster> ClustersFromMessage(const clusters_t& message) {
+  std::vector<CellCluster> clusters;
+  const auto count = static_cast<std::int64_t>(message.cluster.size());
+  for (std::size_t i = 0; i < message.cluster.size(); ++i) {
+    const std::int32_t cluster = message.cluster[i];
+    if (cluster < -1 || cluster >= count)
+      checks::Fail("clusters_t.cluster[" + std::to_string(i) + "]", std::to_string(cluster),
+                   "-1 to " + std::to_string(count - 1));
+    if (cluster < 0) continue;
+    if (static_cast<std::size_t>(cluster) >= clusters.size()) clusters.resize(cluster + 1);
+    clusters[cluster].cells.push_back(static_cast<std::int32_t>(i));
+  }
+  for (std::size_t c = 0; c < clusters.size(); ++c)
+    if (clusters[c].cells.empty())
+      checks::Fail("clusters_t.cluster", "no cell in cluster " + std::to_string(c),
+                   "clusters without gaps");
+  return clusters;
+}
+
+void FillDescriptors(const clusters_t& message, std::vector<CellCluster>& clusters) {
+  std::size_t members = 0;
+  for (CellCluster& cluster : clusters) {
+    cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()), message.dimension);
+    members += cluster.cells.size();
+  }
+  checks::Count("clusters_t.descriptor_count", message.descriptor_count, message.descriptor.size());
+  checks::Count("clusters_t.descriptor_count (cells in clusters)", message.descriptor_count,
+                members);
+  std::vector<Eigen::Index> next(clusters.size(), 0);
+  std::size_t row = 0;
+  for (const std::int32_t cluster : message.cluster) {
+    if (cluster < 0) continue;
+    const std::vector<float>& values = message.descriptor[row++];
+    checks::Count("clusters_t.dimension", message.dimension, values.size());
+    checks::AllFinite("clusters_t.descriptor", std::span<const float>(values));
+    std::copy(values.begin(), values.end(),
+              clusters[cluster].descriptors.row(next[cluster]++).data());
+  }
+}
+
+}  // namespace
+
+clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
+  clusters_t message{};
+  message.header = ToMessage(header);
+  message.cell_size_m = segmented.cell_size_m;
+  message.frame = static_cast<std::int32_t>(segmented.frame);
+  TransformToMessage(segmented.T_map_camera, message.T_map_camera);
+  message.ground = GroundToMessage(segmented.ground);
+  message.background_status = static_cast<std::int32_t>(segmented.background);
+  message.iron = IronToMessage(segmented.iron);
+  message.cells = CellsToMessage(Cells(segmented));
+  message.cell_count = message.cells.count;
+  for (const ScoredCell& scored : segmented.cells) {
+    message.score.push_back(scored.score);
+    message.cluster.push_back(scored.cluster);
+  }
+  message.dimension = segmented.iron.dimension();
+  message.descriptor = DescriptorsToMessage(segmented, message.dimension);
+  message.descriptor_count = static_cast<std::int32_t>(message.descriptor.size());
+  FromMessage(message);
+  return message;
+}
+
+SegmentedMap FromMessage(const clusters_t& message) {
+  FromMessage(message.header);
+  CheckCellSize(kClusters, message.cell_size_m);
+  checks::InRange(kClusters + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
+  checks::InRange(kClusters + ".background_status", message.background_status, 0,
+                  static_cast<int>(BackgroundStatus::kNoPose));
+  SegmentedMap segmented;
+  segmented.cell_size_m = message.cell_size_m;
+  segmented.frame = static_cast<MapFrame>(message.frame);
+  segmented.T_map_camera = TransformFromMessage(kClusters + ".T_map_camera", message.T_map_camera);
+  segmented.ground = GroundFromMessage(kClusters, message.ground);
+  segmented.background = static_cast<BackgroundStatus>(message.background_status);
+  segmented.iron = IronFromMessage(kClusters, message.iron);
+  checks::InRange(kClusters + ".dimension", message.dimension, segmented.iron.dimension(),
+                  segmented.iron.dimension());
+
+  const std::vector<NdtCell> cells = CellsFromMessage(kClusters, message.cells);
+  CheckNearCamera(kClusters, cells, segmented.T_map_camera);
+  checks::Count(kClusters + ".cell_count", message.cell_count, cells.size());
+  checks::Count(kClusters + ".cell_count", message.cell_count, message.score.size());
+  checks::Count(kClusters + ".cell_count", message.cell_count, message.cluster.size());
+  segmented.clusters = ClustersFromMessage(message);
+  FillDescriptors(message, segmented.clusters);
+  segmented.cells.reserve(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    checks::Score("clusters_t.score", message.score[i]);
+    segmented.cells.push_back({cells[i], message.score[i], message.cluster[i]});
+  }
+  return segmented;
+}
+
+}  // namespace fallen

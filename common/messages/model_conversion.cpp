@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "fallen/messages/conversions.hpp"
+#include "fallen/messages/map_conversion.hpp"
+#include "fallen/messages/message_checks.hpp"
+#include "fallen/messages/message_limits.hpp"
+
+namespace fallen {
+namespace {
+
+const std::string kModel = "model_t";
+// A code word more is a dimension of the covariance more: beyond it no training set is large
+// enough.
+constexpr std::int64_t kMaxUnits = 4096;
+
+void TreesToMessage(const BoostedTrees& trees, model_t& message) {
+  message.feature_count = trees.feature_count;
+  message.root = trees.roots;
+  message.tree_count = static_cast<std::int32_t>(trees.roots.size());
+  message.node_count = static_cast<std::int32_t>(trees.nodes.size());
+  for (const BoostedTrees::Node& node : trees.nodes) {
+    message.node_feature.push_back(node.feature);
+    message.node_threshold.push_back(node.threshold);
+    message.node_left.push_back(node.left);
+    message.node_value.push_back(node.value);
+  }
+}
+
+BoostedTrees TreesFromMessage(const model_t& message) {
+  checks::Count(kModel + ".tree_count", message.tree_count, message.root.size());
+  checks::Count(kModel + ".node_count", message.node_count, message.node_feature.size());
+  checks::Count(kModel + ".node_count", message.node_count, message.node_threshold.size());
+  checks::Count(kModel + ".node_count", message.node_count, message.node_left.size());
+  checks::Count(kModel + ".node_count", message.node_count, message.node_value.size());
+  BoostedTrees trees;
+  trees.feature_count = message.feature_count;
+  trees.roots = message.root;
+  for (std::size_t i = 0; i < message.node_feature.size(); ++i)
+    trees.nodes.push_back({message.node_feature[i], message.node_threshold[i], message.node_left[i],
+                           message.node_value[i]});
+  return trees;
+}
+
+void SegmentationToMessage(const SegmentationConfig& config, model_t& message) {
+  message.smoothing_radius_m = config.smoothing_radius_m;
+  message.min_score = config.min_score;
+  message.max_height_m = config.max_height_m;
+  message.cluster_epsilon_m = config.cluster_epsilon_m;
+  message.cluster_min_points = config.cluster_min_points;
+  message.min_cluster_cells = config.min_cluster_cells;
+  message.descriptors_on_foreground_only = config.descriptors_on_foreground_only ? 1 : 0;
+}
+
+SegmentationConfig SegmentationFromMessage(const model_t& message) {
+  SegmentationConfig config;
+  config.smoothing_radius_m = message.smoothing_radius_m;
+  config.min_score = message.min_score;
+  config.max_height_m = message.max_height_m;
+  config.cluster_epsilon_m = message.cluster_epsilon_m;
+  config.cluster_min_points = message.cluster_min_points;
+  config.min_cluster_cells = message.min_cluster_cells;
+  config.descriptors_on_foreground_only = checks::Boolean(
+      kModel + ".descriptors_on_foreground_only", message.descriptors_on_foreground_only);
+  return config;
+}
+
+void ClassifierToMessage(const ClusterModel& model, model_t& message) {
+  const Eigen::Index units = model.codebook.rows();
+  message.dimension = static_cast<std::int32_t>(model.codebook.cols());
+  message.unit_count = static_cast<std::int32_t>(units);
+  message.alpha = model.alpha;
+  const Eigen::VectorXd& mean = model.gaussian.mean();
+  const Eigen::MatrixXd& covariance = model.gaussian.covariance();
+  if (mean.size() != units || covariance.rows() != units || covariance.cols() != units)
+    checks::Fail(kModel + ".gaussian_mean", std::to_string(mean.size()) + " values",
+                 std::to_string(units) + ", one a code word");
+  message.gaussian_mean.assign(mean.data(), mean.data() + units);
+  for (Eigen::Index row = 0; row < units; ++row) {
+    const auto codeword = model.codebook.row(row);
+    message.codebook.emplace_back(codeword.data(), codeword.data() + codeword.size());
+    message.gaussian_covariance.emplace_back();
+    for (Eigen::Index column = 0; column < units; ++column)
+      message.gaussian_covariance.back().push_back(covariance(row, column));
+  }
+  message.calibration_slope = model.calibration.slope;
+  message.calibration_intercept = model.calibration.intercept;
+  for (const auto& point : model.calibration.operating_points) {
+    message.operating_point_min_probability.push_back(point.min_probability);
+    message.operating_point_false_positives_per_frame.push_back(point.false_positives_per_frame);
+    message.operating_point_miss_rate.push_back(point.miss_rate);
+  }
+  message.operating_point_count =
+      static_cast<std::int32_t>(model.calibration.operating_points.size());
+}
+
+// Rows of a matrix, each as long as it should be, all finite.
+template <class Matrix, class Value>
+Matrix MatrixFromRows(const std::string& field, const std::vector<std::vector<Value>>& rows,
+                      std::int64_t row_count, std::int64_t column_count) {
+  checks::Count(field + "'s rows", row_count, rows.size());
+  Matrix matrix(row_count, column_count);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    checks::Count(field + "'s columns", column_count, rows[row].size());
+    checks::AllFinite(field, std::span<const Value>(rows[row]));
+    for (std::size_t column = 0; column < rows[row].size(); ++column)
+      matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = rows[row][column];
+  }
+  return matrix;
+}
+
+Calibration CalibrationFromMessage(const model_t& message) {
+  const auto count = message.operating_point_count;
+  checks::Count(kModel + ".operating_point_count", count,
+                message.operating_point_min_probability.size());
+  checks::Count(kModel + ".operating_point_count", count,
+                message.operating_point_false_positives_per_frame.size());
+  checks::Count(kModel + ".operating_point_count", count, message.operating_point_miss_rate.size());
+  Calibration calibration;
+  calibration.slope = message.calibration_slope;
+  calibration.intercept = message.calibration_intercept;
+  for (std::int32_t i = 0; i < count; ++i)
+    calibration.operating_points.push_back({message.operating_point_min_probability[i],
+                                            message.operating_point_false_positives_per_frame[i],
+                                            message.operating_point_miss_rate[i]});
+  return calibration;
+}
+
+ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iron) {
+  checks::InRange(kModel + ".unit_count", message.unit_count, 1, kMaxUnits);
+  checks::InRange(kModel + ".dimension", message.dimension, iron.dimension(), iron.dimension());
+  const auto units = message.unit_count;
+  ClusterModel model;
+  model.iron = iron;
+  model.codebook =
+      MatrixFromRows<Codebook>(kModel + ".codebook", message.codebook, units, message.dimension);
+  model.alpha = message.alpha;
+  checks::Count(kModel + ".gaussian_mean's values", units, message.gaussian_mean.size());
+  model.gaussian =
+      MahalanobisModel(Eigen::Map<const Eigen::VectorXd>(message.gaussian_mean.data(), units),
+                       MatrixFromRows<Eigen::MatrixXd>(kModel + ".gaussian_covariance",
+                                                       message.gaussian_covariance, units, units));
+  model.calibration = CalibrationFromMessage(message);
+  return model;
+}
+
+}  // namespace
+
+model_t ToMessage(const Model& model) {
+  model.Validate();
+  model_t message{};
+  message.description = model.description;
+  checks::CheckText(kModel + ".description", message.description, limits::kMaxTextBytes);
+  message.cell_size_m = model.cells.cell_size_m;
+  message.iron = IronToMessage(model.cells.iron);
+  message.features = static_cast<std::int32_t>(model.cells.features);
+  TreesToMessage(model.cells.trees, message);
+  SegmentationToMessage(model.segmentation, message);
+  ClassifierToMessage(model.clusters, message);
+  return message;
+}
+
+Model FromMessage(const model_t& message) {
+  Model model;
+  checks::CheckText(kModel + ".description", message.description, limits::kMaxTextBytes);
+  model.description = message.description;
+  CheckCellSize(kModel, message.cell_size_m);
+  model.cells.cell_size_m = message.cell_size_m;
+  model.cells.iron = IronFromMessage(kModel, message.iron);
+  checks::InRange(kModel + ".features", message.features, 0,
+                  static_cast<int>(CellFeatureSet::kIronAndShape));
+  model.cells.features = static_cast<CellFeatureSet>(message.features);
+  model.cells.trees = TreesFromMessage(message);
+  model.segmentation = SegmentationFromMessage(message);
+  model.clusters = ClassifierFromMessage(message, model.cells.iron);
+  model.Validate();  // the rest is the parts' own business
+  return model;
+}
+
+}  // namespace fallen
