@@ -87,9 +87,4 @@ int ServiceContext::Run(StageLoop& loop) const {
   return loop.Run([this] { return stop.Arrived(); });
 }
 
-std::string ModelPath(const std::string& flag, const FilesConfig& files) {
-  if (!flag.empty()) return flag;
-  return files.model.empty() ? ShippedModelPath().string() : files.model;
-}
-
 }  // namespace fallen

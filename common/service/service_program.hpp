@@ -57,7 +57,4 @@ class ServiceProgram {
   bool lossless_ = false;
 };
 
-/// Path of the model to load: the flag's, else the configuration's, else the shipped one.
-std::string ModelPath(const std::string& flag, const FilesConfig& files);
-
 }  // namespace fallen

@@ -16,7 +16,7 @@ namespace {
 constexpr std::chrono::seconds kStatusInterval{1};
 constexpr double kTailShare = 0.99;
 
-const char* StateName(ServiceState state) {
+std::string StateName(ServiceState state) {
   switch (state) {
     case ServiceState::kStarting:
       return "starting";
@@ -102,7 +102,10 @@ void ServiceReporter::SetState(ServiceState state, const std::string& text) {
   if (state == state_ && text == text_) return;
   state_ = state;
   text_ = text;
-  LogInfo(std::string(StateName(state)) + (text.empty() ? "" : ": " + text));
+  // A state that comes and goes with the frames (no floor in view) must not fill the log.
+  const std::string line = StateName(state) + (text.empty() ? "" : ": " + text);
+  const std::string due = warnings_.Note("state " + line, line, Clock::now());
+  if (!due.empty()) LogInfo(due);
 }
 
 service_status_t ServiceReporter::Status() const {

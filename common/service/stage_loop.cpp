@@ -89,6 +89,10 @@ void StageLoop::Queue(TaskQueue::Task task) {
 
 void StageLoop::Handle(const std::function<void()>& work) {
   result_begin_ = std::chrono::steady_clock::now();
+  RunGuarded(work);
+}
+
+void StageLoop::RunGuarded(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {

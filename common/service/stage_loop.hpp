@@ -97,6 +97,9 @@ class StageLoop {
     });
   }
 
+  /// Runs a part of a handler by itself: what it throws is counted, and the handler goes on.
+  void RunGuarded(const std::function<void()>& work);
+
   ServiceReporter& reporter() { return reporter_; }
   const StageOptions& options() const { return options_; }
 

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulate/depth_sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "simulate/random.hpp"
+
+namespace fallen::sim {
+namespace {
+
+// Correlation windows overlap from pixel to pixel, so errors are alike within a few pixels at 640 x
+// 480: part of each error is drawn once a patch.
+constexpr int kPatchAt640 = 4;                            // [px]
+constexpr double kPatchShare = 0.7, kPixelShare = 0.714;  // squares add up to 1
+
+// Signal: albedo * cosine of incidence / depth^2. Below kWeakSignal a pixel is as likely lost as
+// not; chosen such that black cloth (0.1) is lost beyond 3 m and a matt floor (0.45) beyond 4.5 m
+// at 80 deg.
+constexpr double kWeakSignal = 0.0045;
+constexpr double kSignalSpread = 0.35;  // of the logarithm, over which losses set in
+// Depth steps larger than this share of the depth are edges, where a window sees two depths.
+constexpr double kEdgeStep = 0.03;
+constexpr double kEdgeLoss = 0.35;
+
+// Cheap, near enough to normal: the sum of four uniform numbers of 16 bits, scaled to unit
+// variance.
+double NormalFromBits(std::uint64_t bits) {
+  constexpr double kScale = std::numbers::sqrt3 / 65536.0;  // variance of one is 65536^2 / 12
+  const auto sum = static_cast<double>((bits & 0xffff) + ((bits >> 16) & 0xffff) +
+                                       ((bits >> 32) & 0xffff) + (bits >> 48));
+  return (sum - 2 * 65535.0) * kScale;
+}
+
+double UniformFromBits(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
+// Noise by pixel and by patch.
+class NoiseField {
+ public:
+  NoiseField(std::uint64_t seed, int patch) : seed_(MixBits(seed)), patch_(patch) {}
+
+  double At(int u, int v) const {
+    return kPatchShare * NormalFromBits(Hash(u / patch_, v / patch_, 1)) +
+           kPixelShare * NormalFromBits(Hash(u, v, 0));
+  }
+  double UniformAt(int u, int v) const { return UniformFromBits(Hash(u, v, 2)); }
+
+ private:
+  std::uint64_t Hash(int u, int v, std::uint64_t kind) const {
+    return MixBits(seed_ ^ (static_cast<std::uint64_t>(u) << 34) ^
+                   (static_cast<std::uint64_t>(v) << 4) ^ kind);
+  }
+  std::uint64_t seed_;
+  int patch_;
+};
+
+bool AtEdge(const IdealView& view, int width, int height, int u, int v) {
+  const float depth = view.depth_m[static_cast<std::size_t>(v * width + u)];
+  const auto step = static_cast<float>(kEdgeStep) * depth;
+  const auto differs = [&](int du, int dv) {
+    const int x = u + du, y = v + dv;
+    if (x < 0 || y < 0 || x >= width || y >= height) return false;
+    return std::abs(view.depth_m[static_cast<std::size_t>(y * width + x)] - depth) > step;
+  };
+  return differs(-1, 0) || differs(1, 0) || differs(0, -1) || differs(0, 1);
+}
+
+double LossProbability(double depth_m, double cosine, double albedo) {
+  const double signal = albedo * cosine / (depth_m * depth_m);
+  if (signal <= 0) return 1;
+  return 1 / (1 + std::pow(signal / kWeakSignal, 1 / kSignalSpread));
+}
+
+}  // namespace
+
+CameraIntrinsics SensorIntrinsics(int width) {
+  if (width == 640) return {640, 480, 575, 575, 319.5, 239.5};
+  if (width == 320) return {320, 240, 287.5, 287.5, 159.5, 119.5};
+  throw std::invalid_argument("sensor: width: got " + std::to_string(width) +
+                              ", expected 320 or 640");
+}
+
+double AxialSigma(double depth_m, double incidence_rad) {
+  const double beyond = depth_m - 0.4;
+  const double grazing = std::numbers::pi / 2 - std::min(incidence_rad, 1.5);
+  return 0.0012 + 0.0019 * beyond * beyond +
+         0.0001 / std::sqrt(depth_m) * incidence_rad * incidence_rad / (grazing * grazing);
+}
+
+SensorImage TakePicture(const RayCaster& caster, const CameraIntrinsics& intrinsics,
+                        const Eigen::Isometry3d& T_world_camera, const SensorConfig& config,
+                        std::uint64_t seed) {
+  const int width = intrinsics.width, height = intrinsics.height;
+  const int patch = std::max(1, kPatchAt640 * width / 640);
+  const NoiseField noise_u(seed ^ 1, patch), noise_v(seed ^ 2, patch), noise_z(seed ^ 3, patch);
+  const NoiseField loss(seed ^ 4, patch);
+  std::vector<float> jitter;
+  if (config.noise) {
+    const double sigma = config.lateral_noise_px * width / 640;
+    jitter.resize(2 * static_cast<std::size_t>(width * height));
+    for (int v = 0, i = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u, i += 2) {
+        jitter[static_cast<std::size_t>(i)] = static_cast<float>(sigma * noise_u.At(u, v));
+        jitter[static_cast<std::size_t>(i) + 1] = static_cast<float>(sigma * noise_v.At(u, v));
+      }
+    }
+  }
+  // Seen from the camera, the projector is to its right: shadows fall to the left of things.
+  const IdealView view =
+      caster.Render(intrinsics, T_world_camera, jitter, {config.baseline_m, 0, 0});
+  SensorImage image;
+  image.depth.intrinsics = intrinsics;
+  image.depth.depth_unit_m = 0.001;
+  image.depth.depth.assign(view.depth_m.size(), 0);
+  image.labels = view.label;
+  const double focal_times_baseline = config.correlation_focal_px * config.baseline_m;
+  for (int v = 0, i = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u, ++i) {
+      const auto pixel = static_cast<std::size_t>(i);
+      double depth = view.depth_m[pixel];
+      if (depth <= 0) continue;
+      if (config.noise) {
+        if (view.lit[pixel] == 0) continue;
+        double lost = LossProbability(depth, view.cosine[pixel], view.albedo[pixel] / 255.0);
+        if (AtEdge(view, width, height, u, v)) lost += kEdgeLoss * (1 - lost);
+        if (loss.UniformAt(u, v) < lost) continue;
+        const double incidence = std::acos(std::min(1.0f, view.cosine[pixel]));
+        const double sigma = config.axial_noise_scale * AxialSigma(depth, incidence);
+        double disparity = focal_times_baseline / (depth + sigma * noise_z.At(u, v));
+        disparity = std::round(disparity / config.disparity_step_px) * config.disparity_step_px;
+        if (disparity <= 0) continue;
+        depth = focal_times_baseline / disparity;
+      }
+      if (depth < config.min_range_m || depth > config.max_range_m) continue;
+      image.depth.depth[pixel] = static_cast<std::uint16_t>(std::lround(depth * 1000));
+    }
+  }
+  return image;
+}
+
+}  // namespace fallen::sim

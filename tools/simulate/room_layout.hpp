@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "simulate/furniture_catalogue.hpp"
+#include "simulate/scene.hpp"
+
+namespace fallen::sim {
+
+/// An empty stretch of floor that furniture leaves free: somebody can lie there.
+struct FreeFloor {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double yaw = 0;
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();
+};
+
+struct FurnishedRoom {
+  Scene scene;
+  FreeFloor free_floor;
+  double height_m = 2.5;
+};
+
+/// Room `id` with furniture of a pool: the same room for the same arguments, whoever is in it.
+///
+/// Sofas, beds and cabinets stand along walls, tables have chairs, nothing overlaps. About a third
+/// of the rooms each are living rooms, dining rooms or kitchens, bedrooms or studies.
+/// @param clutter  How many small things stand about.
+FurnishedRoom FurnishRoom(int id, FurniturePool pool, const FurnitureCatalogue& catalogue,
+                          int clutter);
+
+/// Upright rectangle on the floor, to keep things apart.
+struct Footprint {
+  Eigen::Vector2d center;
+  Eigen::Vector2d size;
+  double yaw;
+};
+/// True if two rectangles come closer than `margin_m` (separating axes; corners count as closer).
+bool Overlap(const Footprint& a, const Footprint& b, double margin_m);
+
+}  // namespace fallen::sim

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulate/simulation.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <stdexcept>
+
+#include "simulate/distractors.hpp"
+#include "simulate/persons.hpp"
+#include "simulate/room_layout.hpp"
+
+namespace fallen::sim {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kCameraAhead = 0.15;  // [m] of the robot's middle
+
+// What a robot believes of its way when its odometry is off by `drift`: scale and heading wander.
+std::vector<RobotPose> Astray(const std::vector<RobotPose>& path, double drift, Random random) {
+  std::vector<RobotPose> told = path;
+  const double scale = 1 + random.Normal(0, drift), heading_per_m = random.Normal(0, drift);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Vector2d step(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+    const double error = told[i - 1].yaw - path[i - 1].yaw + heading_per_m * step.norm();
+    const Eigen::Vector2d moved = scale * (Eigen::Rotation2Dd(error) * step);
+    told[i] = {told[i - 1].x + moved.x(), told[i - 1].y + moved.y(), path[i].yaw + error};
+  }
+  return told;
+}
+
+Eigen::Isometry3d Perturb(const Eigen::Isometry3d& T_robot_camera, double degrees, double metres,
+                          Random random) {
+  const auto direction = [&] {
+    return Eigen::Vector3d(random.Normal(), random.Normal(), random.Normal()).normalized();
+  };
+  Eigen::Isometry3d perturbed = T_robot_camera;
+  perturbed.rotate(Eigen::AngleAxisd(degrees * kRadPerDeg, direction()));
+  perturbed.translation() += metres * direction();
+  return perturbed;
+}
+
+}  // namespace
+
+std::filesystem::path AssetsFolder(const std::optional<std::filesystem::path>& given) {
+  if (given) return *given;
+  if (const char* variable = std::getenv("FALLEN_ASSETS"); variable != nullptr && *variable != 0)
+    return variable;
+  return FALLEN_DEFAULT_ASSETS;
+}
+
+Assets LoadAssets(const std::filesystem::path& folder) {
+  return {LoadHumanModel(folder), LoadFurnitureCatalogue(folder)};
+}
+
+Eigen::Isometry3d MakeMounting(double height_m, double pitch_rad) {
+  const double c = std::cos(pitch_rad), s = std::sin(pitch_rad);
+  Eigen::Isometry3d T_robot_camera = Eigen::Isometry3d::Identity();
+  T_robot_camera.linear() << 0, -s, c,  //
+      -1, 0, 0,                         //
+      0, -c, -s;
+  T_robot_camera.translation() = Eigen::Vector3d(kCameraAhead, 0, height_m);
+  return T_robot_camera;
+}
+
+Eigen::Isometry3d ToTransform(const RobotPose& pose) {
+  return Eigen::Translation3d(pose.x, pose.y, 0) *
+         Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) * Eigen::Isometry3d::Identity();
+}
+
+Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenario_(scenario) {
+  const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  if (scenario.furnished) {
+    scene_ = FurnishRoom(scenario.room, scenario.furniture_pool, assets.furniture, scenario.clutter)
+                 .scene;
+  } else {
+    scene_.room_size = {6, 6};
+    scene_.shell = MakeShell(scene_.room_size, 2.5);
+  }
+  ColumnGrid grid(scene_.room_size);
+  for (const SceneObject& object : scene_.objects) grid.Add(object.mesh);
+  if (scenario.person) AddPerson(assets, grid);
+  AddDistractors(assets, grid);
+
+  std::optional<Eigen::Vector2d> target;
+  if (person_)
+    target = scene_.objects[*person_].box.center.head<2>();
+  else if (!scene_.objects.empty() && scene_.objects.back().category != kFurniture)
+    target = scene_.objects.back().box.center.head<2>();
+  PathConfig path;
+  path.frames = scenario.frames;
+  path.rate_hz = scenario.rate_hz;
+  path.max_speed_m_s = scenario.max_speed_m_s;
+  path.robot_height_m = scenario.camera_height_m + 0.1;
+  Random random = Random::Stream(seed, "path");
+  path_ = DrawPath(path, grid, scene_.room_size, target, random);
+  told_path_ = Astray(path_, scenario.odometry_drift, Random::Stream(seed, "odometry"));
+  told_T_robot_camera_ =
+      MakeMounting(scenario.camera_height_m, scenario.camera_pitch_deg * kRadPerDeg);
+  true_T_robot_camera_ = Perturb(told_T_robot_camera_, scenario.mounting_error_deg,
+                                 scenario.mounting_error_m, Random::Stream(seed, "mounting"));
+  caster_ = std::make_unique<RayCaster>(scene_);
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::AddPerson(const Assets& assets, ColumnGrid& grid) {
+  const auto seed = static_cast<std::uint64_t>(scenario_.seed);
+  Random pose_random = Random::Stream(seed, "pose_jitter");
+  PersonMesh person =
+      MakeLyingPerson(assets.humans, DrawBodyShape(scenario_.body), scenario_.pose, pose_random);
+  settled_ = person.settled;
+  std::optional<double> yaw;
+  if (scenario_.yaw_deg) yaw = *scenario_.yaw_deg * kRadPerDeg;
+  Random random = Random::Stream(seed, "person_place");
+  const auto place = PlaceOnFloor(person.mesh, scenario_.placement, yaw, grid, scene_, random);
+  if (!place)
+    throw std::runtime_error(
+        "room " + std::to_string(scenario_.room) + ": got no floor for body " +
+        std::to_string(scenario_.body) +
+        " to lie on, expected a room with more space: try another room or less clutter");
+  placement_reached_ = place->reached;
+  SceneObject object =
+      PlaceObject(kFallenPerson, "body-" + std::to_string(scenario_.body), std::move(person.mesh),
+                  {place->position.x(), place->position.y(), 0}, place->yaw);
+  object.box = BoxAround(object.mesh, MainAxisYaw(object.mesh));
+  grid.Add(object.mesh);
+  person_ = scene_.objects.size();
+  scene_.objects.push_back(std::move(object));
+}
+
+void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
+  const auto seed = static_cast<std::uint64_t>(scenario_.seed);
+  for (std::size_t i = 0; i < scenario_.distractors.size(); ++i) {
+    Random random = Random::Stream(seed, "distractor-" + std::to_string(i));
+    Distractor distractor = MakeDistractor(scenario_.distractors[i], assets.furniture,
+                                           assets.humans, scenario_.furniture_pool, random);
+    const Placement placement = random.Chance(0.3) ? Placement::kTouching : Placement::kFree;
+    const auto place = PlaceOnFloor(distractor.mesh, placement, std::nullopt, grid, scene_, random);
+    if (!place) continue;  // a full room stays as it is
+    SceneObject object =
+        PlaceObject(distractor.category, distractor.name, std::move(distractor.mesh),
+                    {place->position.x(), place->position.y(), 0}, place->yaw);
+    grid.Add(object.mesh);
+    scene_.objects.push_back(std::move(object));
+  }
+}
+
+Frame Simulation::TakeFrame(int index) const {
+  const auto i = static_cast<std::size_t>(index);
+  Frame frame;
+  frame.utime = kEpochUtime + std::llround(index / scenario_.rate_hz * 1e6);
+  frame.true_pose = path_[i];
+  frame.told_pose = told_path_[i];
+  SensorConfig sensor;
+  sensor.noise = scenario_.noise;
+  const std::uint64_t seed = MixBits(static_cast<std::uint64_t>(scenario_.seed)) + i;
+  frame.image = TakePicture(*caster_, SensorIntrinsics(scenario_.width),
+                            ToTransform(frame.true_pose) * true_T_robot_camera_, sensor, seed);
+  return frame;
+}
+
+}  // namespace fallen::sim
