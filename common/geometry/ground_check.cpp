@@ -18,6 +18,9 @@ constexpr double kMaxNormalDeviation = 30 * kRadPerDeg;
 // The mean of those normals is much better than each: within 3 degrees on the floors of the real
 // recordings, 22 degrees off on a plane that cut through a cluttered kitchen.
 constexpr double kMaxMeanNormalDeviation = 8 * kRadPerDeg;
+// Noise of the height of a floor point, in inverse depth three sigma of 1/8 pixel of disparity at a
+// base of 0.075 m and f = 575 pixels; times depth and camera height, in metres.
+constexpr double kNoiseReach = 3 * 0.0029;
 // How far below a floor noise and reflections reach: this many inlier distances, and so much per
 // squared metre of range.
 constexpr double kBelowInlierDistances = 3;
@@ -27,27 +30,34 @@ constexpr double kBelowPerSqM = 0.005;
 // most, so that a table is refused wherever the floor under it could itself be accepted.
 constexpr double kMaxShareBelow = 0.005;
 constexpr double kMinWidth_m = 0.05;  // 1 sigma; a strip narrower than that does not fix a tilt
-constexpr int kRefinements = 3;
+constexpr int kMaxRefinements = 6;
+constexpr double kConverged = 1e-4;  // change of the inverse plane [1/m]
 constexpr int kMinLevelPoints = 10;
 
-// Tells which points support a plane.
+// Tells how well points support a plane.
 class SupportTest {
  public:
-  SupportTest(const Plane& plane, double inlier_distance_m)
+  // @param slack  Factor on the distance at which a point no longer counts.
+  SupportTest(const Plane& plane, double inlier_distance_m, double slack = 1)
       : normal_(plane.normal.cast<float>()),
         offset_(static_cast<float>(plane.offset)),
-        inlier_distance_(static_cast<float>(inlier_distance_m)) {}
+        min_reach_(static_cast<float>(slack * inlier_distance_m)),
+        reach_per_depth_(static_cast<float>(slack * kNoiseReach * plane.offset)) {}
 
-  bool operator()(const GroundPoint& point) const {
-    static const float kMinCosine = static_cast<float>(std::cos(kMaxNormalDeviation));
-    return std::abs(normal_.dot(point.position) + offset_) <= inlier_distance_ &&
-           normal_.dot(point.normal) >= kMinCosine;
+  // 1 - (distance / reach)^2; 0 beyond the reach or for a surface of another direction.
+  float Score(const GroundPoint& point) const {
+    if (normal_.dot(point.normal) < min_cosine_) return 0;
+    const float reach = std::max(min_reach_, reach_per_depth_ * point.position.z());
+    const float distance = (normal_.dot(point.position) + offset_) / reach;
+    return std::max(0.F, 1 - distance * distance);
   }
 
  private:
   Eigen::Vector3f normal_;
   float offset_;
-  float inlier_distance_;
+  float min_reach_;
+  float reach_per_depth_;
+  float min_cosine_ = static_cast<float>(std::cos(kMaxNormalDeviation));
 };
 
 // What the points on a plane look like together.
@@ -59,17 +69,17 @@ struct Inliers {
 };
 
 Inliers DescribeInliers(const GroundScene& scene, const Plane& plane, double inlier_distance_m) {
-  const SupportTest supports(plane, inlier_distance_m);
+  const SupportTest support(plane, inlier_distance_m);
   Inliers inliers;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Eigen::Vector3d normal_sum = Eigen::Vector3d::Zero();
   for (const GroundPoint& point : scene.level) {
-    if (!supports(point)) continue;
+    const double score = support.Score(point);
+    if (score == 0) continue;
     const Eigen::Vector3d p = point.position.cast<double>();
-    const double distance = plane.SignedHeight(p) / inlier_distance_m;
     ++inliers.count;
-    inliers.score += std::max(0.0, 1 - distance * distance);
+    inliers.score += score;
     sum += p;
     squares += p * p.transpose();
     normal_sum += point.normal.cast<double>();
@@ -106,27 +116,32 @@ GroundScene MakeGroundScene(std::vector<GroundPoint> points, const GroundPrior& 
 Plane RefineFloor(const GroundScene& scene, const Plane& plane, const GroundPrior& prior,
                   double inlier_distance_m) {
   Plane refined = plane;
-  for (int i = 0; i < kRefinements; ++i) {
-    const SupportTest supports(refined, inlier_distance_m);
+  for (int i = 0; i < kMaxRefinements; ++i) {
+    const SupportTest support(refined, inlier_distance_m, i == 0 ? kRoughSlack : 1);
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Vector3d vector = Eigen::Vector3d::Zero();
     for (const GroundPoint& point : scene.level) {
-      if (!supports(point)) continue;
+      const double score = support.Score(point);
+      if (score == 0) continue;
+      const double weight = score * score;  // Tukey's biweight
       const Eigen::Vector3d ray = point.ray.cast<double>();
-      information += ray * ray.transpose();
-      vector += point.inverse_depth * ray;
+      information += weight * ray * ray.transpose();
+      vector += weight * point.inverse_depth * ray;
     }
     const Eigen::Vector3d inverse_plane = information.ldlt().solve(vector);
     const double length = inverse_plane.norm();
     const Plane next{-inverse_plane / length, 1 / length};
     if (!next.normal.allFinite() || !prior.Allows(next)) return refined;
+    const double change = (inverse_plane + refined.normal / refined.offset).cwiseAbs().maxCoeff();
     refined = next;
+    if (change < kConverged) break;
   }
   return refined;
 }
 
 bool HasPointsBelow(const GroundScene& scene, const Plane& plane, const GroundConfig& config,
                     double slack) {
+  constexpr std::size_t kPasses = 16;
   const double share = std::min(kMaxShareBelow, config.min_inlier_fraction / 2);
   const int allowed = static_cast<int>(share * static_cast<double>(scene.points.size()));
   const Eigen::Vector3f normal = plane.normal.cast<float>();
@@ -134,23 +149,26 @@ bool HasPointsBelow(const GroundScene& scene, const Plane& plane, const GroundCo
   const float margin_per_sq_m = static_cast<float>(slack * kBelowPerSqM);
   const float offset = static_cast<float>(plane.offset);
   int below = 0;
-  for (const GroundPoint& point : scene.points) {
-    const float z = point.position.z();
-    below += normal.dot(point.position) + offset < -(margin + margin_per_sq_m * z * z);
+  // Interleaved, so that each pass covers the image: most planes are refused after a few hundred.
+  for (std::size_t pass = 0; pass < kPasses; ++pass) {
+    for (std::size_t i = pass; i < scene.points.size(); i += kPasses) {
+      const Eigen::Vector3f& p = scene.points[i].position;
+      below += normal.dot(p) + offset < -(margin + margin_per_sq_m * p.z() * p.z());
+    }
     if (below > allowed) return true;
   }
   return false;
 }
 
 int CountInliers(const GroundScene& scene, const Plane& plane, double inlier_distance_m) {
+  const SupportTest support(plane, inlier_distance_m);
   return static_cast<int>(
-      std::count_if(scene.level.begin(), scene.level.end(), SupportTest(plane, inlier_distance_m)));
+      std::count_if(scene.level.begin(), scene.level.end(),
+                    [&](const GroundPoint& point) { return support.Score(point) > 0; }));
 }
 
 std::optional<Floor> AcceptFloor(const GroundScene& scene, const Plane& plane,
                                  const GroundPrior& prior, const GroundConfig& config) {
-  constexpr double kRough = 2;  // a plane through three points is off by about its inlier distance
-  if (HasPointsBelow(scene, plane, config, kRough)) return std::nullopt;
   const Plane refined = RefineFloor(scene, plane, prior, config.inlier_distance_m);
   const Inliers inliers = DescribeInliers(scene, refined, config.inlier_distance_m);
   if (inliers.count < MinInliers(scene, config) || inliers.width_m < kMinWidth_m ||

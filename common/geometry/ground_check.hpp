@@ -36,6 +36,9 @@ GroundScene MakeGroundScene(std::vector<GroundPoint> points, const GroundPrior& 
 Plane RefineFloor(const GroundScene& scene, const Plane& plane, const GroundPrior& prior,
                   double inlier_distance_m);
 
+/// Slack for a plane through three points, which is off by an inlier distance or so.
+inline constexpr double kRoughSlack = 2;
+
 /// Says if so many points lie clearly below `plane` that it cannot be the floor: a floor has
 /// (almost) none, but under a table top, a bed or a slanted cut through the furniture there is
 /// something.
@@ -43,14 +46,15 @@ Plane RefineFloor(const GroundScene& scene, const Plane& plane, const GroundPrio
 bool HasPointsBelow(const GroundScene& scene, const Plane& plane, const GroundConfig& config,
                     double slack = 1);
 
-/// Points that lie on `plane`, on a surface of its direction.
+/// Points that lie on `plane`, within the inlier distance or three sigma of the sensor's noise, on
+/// a surface of its direction.
 int CountInliers(const GroundScene& scene, const Plane& plane, double inlier_distance_m);
 
 /// A plane that passed every check.
 struct Floor {
   Plane plane;
   int inliers = 0;
-  double score = 0;  ///< inliers, each weighted by 1 - (distance / inlier distance)^2, [Torr00]
+  double score = 0;  ///< inliers, weighted by 1 - (distance / largest distance)^2, [Torr00]
 };
 
 /// `plane` refined; nothing if it cannot be the floor of this scene.

@@ -15,13 +15,19 @@ namespace {
 
 using FloorModel = pcl::SampleConsensusModelPerpendicularPlane<pcl::PointXYZ>;
 
-// Triples drawn per plane tried: most are refused by their own points' normals, at a small part of
+// Triples drawn per plane tried: many are refused by their own points' normals, at a small part of
 // the cost of a trial.
 constexpr int kDrawsPerIteration = 20;
 // Cosine of the largest angle between a triple's plane and its points' normals: 30 degrees.
 constexpr float kMinNormalCosine = 0.866F;
+// The second and the third point are looked for on the surface of the first: so many tries, and the
+// sine of the largest angle between its tangent plane and the line to them, 15 degrees.
+constexpr int kTriesPerPoint = 10;
+constexpr float kMaxTangentSine = 0.26F;
 
 constexpr double kMissProbability = 1e-4;
+// A plane through three points is refined if it has this part of the points of the best one.
+constexpr int kWorthRefining = 2;
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr MakeCloud(const std::vector<GroundPoint>& points) {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
@@ -30,6 +36,32 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr MakeCloud(const std::vector<GroundPoint>& po
     cloud->push_back({point.position.x(), point.position.y(), point.position.z()});
   return cloud;
 }
+
+// Draws points, first anywhere and then on the surface of another.
+class PointDrawer {
+ public:
+  // PCL's own generator cannot be seeded from outside, so the draws are ours.
+  PointDrawer(const std::vector<GroundPoint>& points, std::int64_t seed)
+      : points_(points), random_(static_cast<std::uint64_t>(seed)) {}
+
+  const GroundPoint& Draw() { return points_[random_() % points_.size()]; }
+
+  // The last point that was tried if none of them lies on the surface of `first`.
+  const GroundPoint& DrawNear(const GroundPoint& first) {
+    const GroundPoint* point = &first;
+    for (int i = 0; i < kTriesPerPoint; ++i) {
+      point = &Draw();
+      const Eigen::Vector3f line = point->position - first.position;
+      const float height = first.normal.dot(line);
+      if (height * height <= kMaxTangentSine * kMaxTangentSine * line.squaredNorm()) break;
+    }
+    return *point;
+  }
+
+ private:
+  const std::vector<GroundPoint>& points_;
+  std::mt19937_64 random_;
+};
 
 // Plane through three points with its normal up: the camera, at the origin, is above the floor.
 // Nothing if its normal is not that of the surfaces that the points lie on, as for collinear
@@ -52,7 +84,7 @@ Eigen::VectorXf Coefficients(const Plane& plane) {
 }
 
 // Draws after which a triple on a plane with so many of the points has come up as good as surely,
-// [Fischler81] Sec. II-B.
+// [Fischler81] Sec. II-B: cautious, as if the points were drawn independently.
 int DrawsForInliers(int inliers, std::size_t points) {
   const double share = static_cast<double>(inliers) / static_cast<double>(points);
   const double hit = std::clamp(share * share * share, 1e-9, 0.999);
@@ -69,27 +101,26 @@ std::optional<Floor> FindFloorByRansac(const GroundScene& scene, const GroundPri
   model.setAxis(prior.up.cast<float>());
   model.setEpsAngle(prior.max_tilt_rad);
 
-  // PCL's own generator cannot be seeded from outside, so the draws are ours.
-  std::mt19937_64 random(static_cast<std::uint64_t>(config.ransac_seed));
-  const auto draw = [&]() -> const GroundPoint& {
-    return scene.level[random() % scene.level.size()];
-  };
+  PointDrawer drawer(scene.level, config.ransac_seed);
   std::optional<Floor> best;
+  int best_near = 0;
   int trials = 0;
   int draws_wanted = kDrawsPerIteration * config.ransac_iterations;
   for (int draws = 0; draws < draws_wanted && trials < config.ransac_iterations; ++draws) {
-    const GroundPoint& a = draw();
-    const GroundPoint& b = draw();
-    const GroundPoint& c = draw();
+    const GroundPoint& a = drawer.Draw();
+    const GroundPoint& b = drawer.DrawNear(a);
+    const GroundPoint& c = drawer.DrawNear(a);
     const std::optional<Plane> candidate = PlaneOfSurface(a, b, c);
     if (!candidate || !prior.Allows(*candidate)) continue;
     ++trials;
+    if (HasPointsBelow(scene, *candidate, config, kRoughSlack)) continue;  // cheaper than to count
     const int near = static_cast<int>(
         model.countWithinDistance(Coefficients(*candidate), config.inlier_distance_m));
-    if (near < min_inliers / 2 || (best && near <= best->inliers)) continue;  // rough yet: half
+    if (near < std::max(min_inliers, best_near) / kWorthRefining) continue;
     const std::optional<Floor> floor = AcceptFloor(scene, *candidate, prior, config);
     if (!floor || (best && floor->score <= best->score)) continue;
     best = floor;
+    best_near = near;
     draws_wanted = std::min(draws_wanted, DrawsForInliers(best->inliers, scene.level.size()));
   }
   return best;
