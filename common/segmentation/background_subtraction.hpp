@@ -19,7 +19,9 @@ struct EnvironmentMap {
 };
 
 struct BackgroundConfig {
-  /// The paper's tau^s and tau^d: threshold [m] = (1 - 2 angle / pi) * dynamic + static.
+  /// The paper's tau^s and tau^d: threshold [m] = (1 - 2 angle / pi) * dynamic + static. Both >= 0.
+  /// The paper gives no values; together a cell's diagonal, so that a surface stays background
+  /// wherever it cuts its voxels.
   double static_threshold_m = 0.03;
   double dynamic_threshold_m = 0.05;
 
@@ -64,6 +66,9 @@ class BackgroundSubtractor {
 
   bool has_environment() const;
 
+  /// Marks as background each cell that is nearer to its nearest environment cell than the
+  /// threshold of the two cells' normals, whatever these are worth (balls and needles too, as in
+  /// the paper).
   /// @throws std::invalid_argument if the map's cell size differs from the environment map's.
   ForegroundMap Subtract(NdtMap map) const;
 

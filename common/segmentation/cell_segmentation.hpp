@@ -16,7 +16,7 @@ namespace fallen {
 /// What the cell classifier looks at.
 enum class CellFeatureSet : std::int32_t {
   kIron = 0,          ///< the descriptor alone: the paper
-  kIronAndShape = 1,  ///< and height above the floor, verticality of the normal, the cell's shape
+  kIronAndShape = 1,  ///< and the cell's shape, its height above the floor and what stands around
 };
 constexpr auto EnumNames(CellFeatureSet) {
   return EnumTable<CellFeatureSet, 2>{
@@ -30,16 +30,20 @@ struct CellModel {
   CellFeatureSet features = CellFeatureSet::kIron;
   BoostedTrees trees;
 
+  /// @throws std::invalid_argument for values out of range, a model without trees, or trees that
+  /// take another number of features than the settings make.
   void Validate() const;
 };
 
 struct SegmentationConfig {
   double smoothing_radius_m = 0.15;  ///< 0: no smoothing
   double min_score = 0.0;            ///< smoothed score from which a cell counts as person, [-1, 1]
-  double max_height_m = 1.2;         ///< cells higher above the floor are never person
-  double cluster_epsilon_m = 0.12;
-  int cluster_min_points = 6;
-  int min_cluster_cells = 15;        ///< smaller clusters are dropped
+  /// Cells higher above the floor are never person: their score is -1. Without a known floor this
+  /// is not applied.
+  double max_height_m = 1.2;
+  double cluster_epsilon_m = 0.12;  ///< DBSCAN's radius, > 0; 0.10-0.15 m suit cells of 5 cm
+  int cluster_min_points = 6;  ///< cells within it that make a core cell, itself included, >= 1
+  int min_cluster_cells = 15;  ///< smaller clusters are dropped, >= 1
   /// True: descriptors see foreground cells only, though the paper's Fig. 2 computes them before.
   bool descriptors_on_foreground_only = false;
 
@@ -60,16 +64,16 @@ struct SegmentationConfig {
 /// A foreground cell after classification, smoothing and clustering.
 struct ScoredCell {
   NdtCell cell;
-  float score = 0;                   ///< smoothed, [-1, 1]; NaN never
-  std::int32_t cluster = -1;         ///< index into `clusters`, or -1
+  float score = 0;            ///< smoothed, [-1, 1]; NaN never
+  std::int32_t cluster = -1;  ///< index into `clusters`, or -1
 
   bool operator==(const ScoredCell&) const = default;
 };
 
 /// Cells that most likely are one object, most likely a person.
 struct CellCluster {
-  std::vector<std::int32_t> cells;     ///< indices into `SegmentedMap::cells`, ascending
-  IronDescriptors::Matrix descriptors; ///< one row a member, the same order
+  std::vector<std::int32_t> cells;      ///< indices into `SegmentedMap::cells`, ascending
+  IronDescriptors::Matrix descriptors;  ///< one row a member, the same order
 };
 
 /// What the segmentation leaves of a map.
@@ -77,10 +81,10 @@ struct SegmentedMap {
   double cell_size_m = 0.05;
   MapFrame frame = MapFrame::kCamera;
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
-  GroundEstimate ground;              ///< plane in the map frame
+  GroundEstimate ground;  ///< plane in the map frame
   BackgroundStatus background = BackgroundStatus::kNoEnvironmentMap;
-  IronConfig iron;                    ///< how `descriptors` were computed
-  std::vector<ScoredCell> cells;      ///< all foreground cells with a descriptor
+  IronConfig iron;                ///< how `descriptors` were computed
+  std::vector<ScoredCell> cells;  ///< all foreground cells with a descriptor
   std::vector<CellCluster> clusters;
 };
 
@@ -91,8 +95,29 @@ struct SegmentationTimes {
   double clusters = 0;
 };
 
-/// Features of the cells that have a descriptor, one row a cell of `indices`: the descriptor, and
-/// for kIronAndShape further columns. Shared by training and use.
+/// Features of the cells that have a descriptor, one row a cell of `indices`. Shared by training
+/// and use.
+///
+/// Columns: the descriptor, D = iron.dimension() values; for kIronAndShape also
+///
+/// | column | value                                                                          |
+/// |--------|--------------------------------------------------------------------------------|
+/// | D + 0  | lambda0 / lambda1 of the cell's covariance: flat 0, round 1                    |
+/// | D + 1  | lambda1 / lambda2: long 0, broad 1                                             |
+/// | D + 2  | sqrt(lambda2), the cell's largest standard deviation [m]                       |
+/// | D + 3  | neighbours of the descriptor, relative to a closed plane of cells              |
+/// | D + 4  | height of the mean above the floor [m]                                         |
+/// | D + 5  | cosine between normal and vertical, [0, 1]: 1 for the top of a table           |
+/// | D + 6  | how far the highest cell within 0.25 m along the floor rises above this one [m]|
+/// | D + 7  | how far the lowest cell there lies below it [m]                                |
+/// | D + 8  | height of the highest cell within 0.5 m along the floor [m]                    |
+/// | D + 9  | mean height of the cells there [m]                                             |
+/// | D + 10 | share of the floor there that has cells above it, [0, 1]                       |
+///
+/// D + 4 to D + 10 need a floor: without one (`!map.ground.ok()`) they are 0. Always finite. Every
+/// cell of `map` counts for D + 6 to D + 10, at the resolution of HeightColumns.
+/// @throws std::invalid_argument if sizes disagree or an index is out of range.
+/// Deterministic. Thread-safe. O(cells + indices).
 FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal> normals,
                                   const IronDescriptors& descriptors,
                                   std::span<const std::int32_t> indices, CellFeatureSet features);
@@ -101,8 +126,13 @@ FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal>
 int CellFeatureCount(const IronConfig& iron, CellFeatureSet features);
 
 /// Descriptors, cell classification, smoothing, clustering (the paper, Sec. III-C and III-D.2-4).
-/// @throws std::invalid_argument if the map's cell size is not the model's.
-/// Deterministic. Thread-safe.
+///
+/// Cells keep the map's order, clusters come in the order of their first core cells.
+/// @param model  Valid: see CellModel::Validate.
+/// @param times  If given, is told how long the parts took.
+/// @throws std::invalid_argument if `config` is out of range, the map's cell size is not the
+/// model's, the flags are not one a cell, or a cell's mean is not finite. Deterministic.
+/// Thread-safe.
 SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& model,
                           const SegmentationConfig& config, SegmentationTimes* times = nullptr);
 

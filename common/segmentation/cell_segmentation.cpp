@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/segmentation/cell_segmentation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "fallen/iron/neighbor_grid.hpp"
+#include "fallen/segmentation/dbscan.hpp"
+#include "fallen/segmentation/smoothing.hpp"
+
+namespace fallen {
+namespace {
+
+// Score of a cell that no score could make a person.
+constexpr float kNeverPerson = -1;
+
+[[noreturn]] void Fail(const std::string& what) {
+  throw std::invalid_argument("cell_segmentation: " + what);
+}
+
+// Measures one stage after the other.
+class Stopwatch {
+ public:
+  double Lap() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double, std::milli> lap = now - last_;
+    last_ = now;
+    return lap.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+void Check(const ForegroundMap& foreground, const CellModel& model) {
+  const NdtMap& map = foreground.map;
+  if (map.cell_size_m != model.cell_size_m)
+    Fail("the map's cell size is " + std::to_string(map.cell_size_m) + " m, the model's " +
+         std::to_string(model.cell_size_m) + " m");
+  if (foreground.is_foreground.size() != map.cells.size())
+    Fail("got " + std::to_string(foreground.is_foreground.size()) + " flags for " +
+         std::to_string(map.cells.size()) + " cells");
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (!map.cells[i].mean.allFinite()) Fail("cell " + std::to_string(i) + " is not finite");
+}
+
+NdtMap ForegroundOnly(const ForegroundMap& foreground) {
+  NdtMap map{foreground.map.cell_size_m,
+             foreground.map.frame,
+             foreground.map.T_map_camera,
+             foreground.map.ground,
+             {}};
+  for (std::size_t i = 0; i < foreground.map.cells.size(); ++i)
+    if (foreground.is_foreground[i]) map.cells.push_back(foreground.map.cells[i]);
+  return map;
+}
+
+std::vector<std::int32_t> DescribedCells(const IronDescriptors& descriptors) {
+  std::vector<std::int32_t> indices;
+  for (std::size_t i = 0; i < descriptors.neighbor_counts.size(); ++i)
+    if (descriptors.valid(i)) indices.push_back(static_cast<std::int32_t>(i));
+  return indices;
+}
+
+std::vector<Eigen::Vector3f> MeansOf(const std::vector<NdtCell>& cells,
+                                     std::span<const std::int32_t> indices) {
+  std::vector<Eigen::Vector3f> means;
+  for (const std::int32_t index : indices) means.push_back(cells[index].mean);
+  return means;
+}
+
+std::vector<float> Smooth(std::span<const Eigen::Vector3f> points, std::vector<float> scores,
+                          double radius_m) {
+  if (radius_m == 0 || points.empty()) return scores;
+  const auto radius = static_cast<float>(radius_m);
+  const std::vector<std::uint8_t> all_valid(points.size(), 1);
+  return SmoothScores(NeighborGrid(points, radius), points, scores, all_valid, radius);
+}
+
+// Sets `cluster` of the cells that are grouped, and returns the groups that are large enough.
+std::vector<CellCluster> ClusterCells(std::vector<ScoredCell>& cells,
+                                      std::span<const std::uint8_t> is_too_high,
+                                      const SegmentationConfig& config) {
+  std::vector<std::int32_t> candidates;
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (is_too_high[k] || static_cast<double>(cells[k].score) < config.min_score) continue;
+    candidates.push_back(static_cast<std::int32_t>(k));
+    points.push_back(cells[k].cell.mean);
+  }
+  const std::vector<std::int32_t> labels =
+      Dbscan(points, static_cast<float>(config.cluster_epsilon_m), config.cluster_min_points);
+
+  std::vector<CellCluster> found;
+  for (std::size_t c = 0; c < labels.size(); ++c) {
+    if (labels[c] == kNoise) continue;
+    found.resize(std::max(found.size(), static_cast<std::size_t>(labels[c]) + 1));
+    found[labels[c]].cells.push_back(candidates[c]);
+  }
+  std::erase_if(found, [&](const CellCluster& cluster) {
+    return static_cast<std::int64_t>(cluster.cells.size()) < config.min_cluster_cells;
+  });
+  for (std::size_t c = 0; c < found.size(); ++c)
+    for (const std::int32_t k : found[c].cells) cells[k].cluster = static_cast<std::int32_t>(c);
+  return found;
+}
+
+}  // namespace
+
+void CellModel::Validate() const {
+  if (!(cell_size_m > 0) || !std::isfinite(cell_size_m))
+    Fail("the model's cell_size_m is " + std::to_string(cell_size_m) + ", must be > 0 and finite");
+  if (EnumName(features) == "unknown")
+    Fail("the model's features are " + std::to_string(static_cast<int>(features)) +
+         ", must be in [0, 1]");
+  iron.Validate();
+  trees.Validate();
+  if (trees.roots.empty()) Fail("the model has no trees");
+  const int expected = CellFeatureCount(iron, features);
+  if (trees.feature_count != expected)
+    Fail("the model's trees take " + std::to_string(trees.feature_count) +
+         " features, its settings make " + std::to_string(expected));
+}
+
+void SegmentationConfig::Validate() const {
+  const auto check = [](const char* name, double value, bool is_good, const char* range) {
+    if (!is_good || !std::isfinite(value))
+      Fail(std::string(name) + " is " + std::to_string(value) + ", must be " + range);
+  };
+  check("smoothing_radius_m", smoothing_radius_m, smoothing_radius_m >= 0, ">= 0 and finite");
+  check("min_score", min_score, min_score >= -1 && min_score <= 1, "in [-1, 1]");
+  check("max_height_m", max_height_m, max_height_m > 0, "> 0 and finite");
+  check("cluster_epsilon_m", cluster_epsilon_m, cluster_epsilon_m > 0, "> 0 and finite");
+  check("cluster_min_points", cluster_min_points, cluster_min_points >= 1, ">= 1");
+  check("min_cluster_cells", min_cluster_cells, min_cluster_cells >= 1, ">= 1");
+}
+
+SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& model,
+                          const SegmentationConfig& config, SegmentationTimes* times) {
+  config.Validate();
+  Check(foreground, model);
+  const NdtMap& map = foreground.map;
+  Stopwatch stopwatch;
+
+  NdtMap foreground_only;
+  if (config.descriptors_on_foreground_only) foreground_only = ForegroundOnly(foreground);
+  const NdtMap& visible = config.descriptors_on_foreground_only ? foreground_only : map;
+  const std::span<const std::uint8_t> is_wanted = config.descriptors_on_foreground_only
+                                                      ? std::span<const std::uint8_t>()
+                                                      : foreground.is_foreground;
+  const std::vector<CellNormal> normals = ComputeNormals(visible.cells, model.iron);
+  const IronDescriptors descriptors =
+      ComputeIronDescriptors(visible.cells, normals, is_wanted, model.iron);
+  const double iron_ms = stopwatch.Lap();
+
+  const std::vector<std::int32_t> indices = DescribedCells(descriptors);
+  const FeatureMatrix features =
+      ComputeCellFeatures(visible, normals, descriptors, indices, model.features);
+  const std::vector<Eigen::Vector3f> means = MeansOf(visible.cells, indices);
+  const std::vector<float> scores =
+      Smooth(means, PredictScores(model.trees, features), config.smoothing_radius_m);
+
+  SegmentedMap segmented;
+  segmented.cell_size_m = map.cell_size_m;
+  segmented.frame = map.frame;
+  segmented.T_map_camera = map.T_map_camera;
+  segmented.ground = map.ground;
+  segmented.background = foreground.status;
+  segmented.iron = model.iron;
+  std::vector<std::uint8_t> is_too_high(indices.size(), 0);
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const NdtCell& cell = visible.cells[indices[k]];
+    if (map.ground.ok())
+      is_too_high[k] =
+          map.ground.plane.SignedHeight(cell.mean.cast<double>()) > config.max_height_m;
+    segmented.cells.push_back({cell, is_too_high[k] ? kNeverPerson : scores[k], -1});
+  }
+  const double cells_ms = stopwatch.Lap();
+
+  segmented.clusters = ClusterCells(segmented.cells, is_too_high, config);
+  for (CellCluster& cluster : segmented.clusters) {
+    cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()),
+                               descriptors.values.cols());
+    for (std::size_t k = 0; k < cluster.cells.size(); ++k)
+      cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
+          descriptors.values.row(indices[cluster.cells[k]]);
+  }
+  if (times) *times = {iron_ms, cells_ms, stopwatch.Lap()};
+  return segmented;
+}
+
+}  // namespace fallen

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/segmentation/cell_segmentation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "flat_cell.hpp"
+
+namespace fallen {
+namespace {
+
+constexpr int kPlate = 12 * 8;
+
+// Three plates of 12 x 8 cells: two at 0.2 m, a metre apart, and one at 0.9 m beside them. Two lone
+// cells without descriptors are strewn in between.
+ForegroundMap Scene() {
+  ForegroundMap foreground;
+  NdtMap& map = foreground.map;
+  map.frame = MapFrame::kWorld;
+  map.T_map_camera.translation() << 1, 2, 3;
+  map.ground.status = GroundStatus::kOk;
+  const auto add_plate = [&](float x_begin, float z) {
+    for (int x = 0; x < 12; ++x)
+      for (int y = 0; y < 8; ++y)
+        map.cells.push_back(
+            FlatCell({x_begin + 0.05F * static_cast<float>(x), 0.05F * static_cast<float>(y), z}));
+  };
+  map.cells.push_back(FlatCell({50, 50, 0.2F}));
+  add_plate(0, 0.2F);
+  map.cells.push_back(FlatCell({60, 50, 0.2F}));
+  add_plate(3, 0.9F);
+  add_plate(1.6F, 0.2F);
+  foreground.is_foreground.assign(map.cells.size(), 1);
+  foreground.status = BackgroundStatus::kSubtracted;
+  return foreground;
+}
+
+// One tree: cells up to 0.5 m are persons.
+CellModel LowCells() {
+  CellModel model;
+  model.features = CellFeatureSet::kIronAndShape;
+  model.trees.feature_count = CellFeatureCount(model.iron, model.features);
+  model.trees.roots = {0};
+  model.trees.nodes = {{model.iron.dimension() + 4, 0.5F, 1, 0}, {-1, 0, 0, 2}, {-1, 0, 0, -2}};
+  return model;
+}
+
+TEST(SegmentCells, FindsTheTwoLowPlates) {
+  const ForegroundMap foreground = Scene();
+  LowCells().Validate();
+  SegmentationTimes times{-1, -1, -1};
+  const SegmentedMap segmented = SegmentCells(foreground, LowCells(), {}, &times);
+  ASSERT_EQ(segmented.cells.size(), 3U * kPlate);  // the lone cells have no descriptor
+  ASSERT_EQ(segmented.clusters.size(), 2U);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < foreground.map.cells.size(); ++i) {
+    if (foreground.map.cells[i].mean.y() == 50) continue;
+    EXPECT_EQ(segmented.cells[k].cell, foreground.map.cells[i]);
+    const bool is_low = segmented.cells[k].cell.mean.z() < 0.5F;
+    EXPECT_EQ(segmented.cells[k].score, is_low ? 1 : -1);
+    EXPECT_EQ(segmented.cells[k].cluster, !is_low ? -1 : k < kPlate ? 0 : 1);
+    ++k;
+  }
+  EXPECT_EQ(segmented.frame, MapFrame::kWorld);
+  EXPECT_EQ(segmented.ground, foreground.map.ground);
+  EXPECT_EQ(segmented.background, BackgroundStatus::kSubtracted);
+  EXPECT_TRUE(segmented.T_map_camera.isApprox(foreground.map.T_map_camera));
+  EXPECT_EQ(segmented.iron, IronConfig{});
+  EXPECT_GE(times.iron, 0);
+  EXPECT_GE(times.cells, 0);
+  EXPECT_GE(times.clusters, 0);
+}
+
+TEST(SegmentCells, ListsEachClustersCellsWithTheirDescriptors) {
+  const ForegroundMap foreground = Scene();
+  const SegmentedMap segmented = SegmentCells(foreground, LowCells(), {});
+  const IronDescriptors descriptors =
+      ComputeIronDescriptors(foreground.map.cells, ComputeNormals(foreground.map.cells));
+  for (std::size_t c = 0; c < 2; ++c) {
+    const CellCluster& cluster = segmented.clusters[c];
+    ASSERT_EQ(cluster.cells.size(), static_cast<std::size_t>(kPlate));
+    ASSERT_EQ(cluster.descriptors.rows(), kPlate);
+    for (int k = 0; k < kPlate; ++k) {
+      EXPECT_EQ(cluster.cells[k], static_cast<int>(c) * 2 * kPlate + k);
+      // In the map, one lone cell comes before the first plate and two before the others.
+      const int in_map = cluster.cells[k] + (c == 0 ? 1 : 2);
+      EXPECT_EQ(cluster.descriptors.row(k), descriptors.values.row(in_map));
+    }
+  }
+}
+
+TEST(SegmentCells, SmoothsScoresOverTheDescribedForeground) {
+  // Half of a plate is bent upwards past 0.5 m: scores mix along the bend.
+  ForegroundMap foreground = Scene();
+  for (NdtCell& cell : foreground.map.cells)
+    if (cell.mean.x() > 0.3F) cell.mean.z() = 0.52F;
+  SegmentationConfig config;
+  config.smoothing_radius_m = 0.4;
+  const SegmentedMap smooth = SegmentCells(foreground, LowCells(), config);
+  config.smoothing_radius_m = 0;
+  const SegmentedMap raw = SegmentCells(foreground, LowCells(), config);
+  ASSERT_EQ(smooth.cells.size(), raw.cells.size());
+  bool has_mixed = false;
+  for (std::size_t i = 0; i < raw.cells.size(); ++i) {
+    EXPECT_EQ(std::abs(raw.cells[i].score), 1);
+    double sum = 0;
+    int count = 0;
+    for (const ScoredCell& other : raw.cells)
+      if ((other.cell.mean - raw.cells[i].cell.mean).squaredNorm() <= 0.4F * 0.4F) {
+        sum += other.score;
+        ++count;
+      }
+    EXPECT_NEAR(smooth.cells[i].score, sum / count, 1e-6);
+    has_mixed |= std::abs(smooth.cells[i].score) < 0.9F;
+  }
+  EXPECT_TRUE(has_mixed);
+}
+
+TEST(SegmentCells, PassesOverBackgroundCellsButLetsDescriptorsSeeThem) {
+  ForegroundMap foreground = Scene();
+  for (int i = 0; i < kPlate / 2; ++i) foreground.is_foreground[1 + i] = 0;  // half a plate
+  const SegmentedMap all_seen = SegmentCells(foreground, LowCells(), {});
+  EXPECT_EQ(all_seen.cells.size(), 5U * kPlate / 2);
+  ASSERT_EQ(all_seen.clusters.size(), 2U);
+  EXPECT_EQ(all_seen.clusters[0].cells.size(), static_cast<std::size_t>(kPlate / 2));
+  const IronDescriptors whole =
+      ComputeIronDescriptors(foreground.map.cells, ComputeNormals(foreground.map.cells));
+  EXPECT_EQ(all_seen.clusters[0].descriptors.row(0), whole.values.row(1 + kPlate / 2));
+
+  SegmentationConfig config;
+  config.descriptors_on_foreground_only = true;
+  const SegmentedMap foreground_seen = SegmentCells(foreground, LowCells(), config);
+  std::vector<NdtCell> cells;
+  for (std::size_t i = 0; i < foreground.map.cells.size(); ++i)
+    if (foreground.is_foreground[i]) cells.push_back(foreground.map.cells[i]);
+  const IronDescriptors part = ComputeIronDescriptors(cells, ComputeNormals(cells));
+  ASSERT_EQ(foreground_seen.clusters.size(), 2U);
+  EXPECT_EQ(foreground_seen.clusters[0].descriptors.row(0), part.values.row(1));
+  EXPECT_NE(foreground_seen.clusters[0].descriptors, all_seen.clusters[0].descriptors);
+}
+
+TEST(SegmentCells, NeverTakesCellsAboveTheGreatestHeight) {
+  SegmentationConfig config;
+  config.max_height_m = 0.1;
+  config.min_score = -1;
+  SegmentedMap segmented = SegmentCells(Scene(), LowCells(), config);
+  EXPECT_TRUE(segmented.clusters.empty());
+  for (const ScoredCell& cell : segmented.cells) EXPECT_EQ(cell.score, -1);
+
+  ForegroundMap no_floor = Scene();
+  no_floor.map.ground.status = GroundStatus::kNoFloorInView;
+  segmented = SegmentCells(no_floor, LowCells(), config);
+  EXPECT_EQ(segmented.clusters.size(), 3U);  // heights are not known: none is too high
+}
+
+TEST(SegmentCells, DropsSmallClustersAndNumbersTheRest) {
+  ForegroundMap foreground = Scene();
+  for (int i = 0; i < kPlate - 20; ++i) foreground.is_foreground[1 + i] = 0;
+  SegmentationConfig config;
+  config.min_cluster_cells = 21;
+  const SegmentedMap segmented = SegmentCells(foreground, LowCells(), config);
+  ASSERT_EQ(segmented.clusters.size(), 1U);
+  EXPECT_EQ(segmented.clusters[0].cells.size(), static_cast<std::size_t>(kPlate));
+  for (std::size_t k = 0; k < segmented.cells.size(); ++k)
+    EXPECT_EQ(segmented.cells[k].cluster, k < 20 + kPlate ? -1 : 0);
+}
+
+TEST(SegmentCells, TakesMapsWithoutCellsAndWithoutForeground) {
+  ForegroundMap nothing = Scene();
+  nothing.map.cells.clear();
+  nothing.is_foreground.clear();
+  EXPECT_TRUE(SegmentCells(nothing, LowCells(), {}).cells.empty());
+  ForegroundMap background = Scene();
+  background.is_foreground.assign(background.is_foreground.size(), 0);
+  SegmentationConfig config;
+  for (const bool on_foreground_only : {false, true}) {
+    config.descriptors_on_foreground_only = on_foreground_only;
+    const SegmentedMap segmented = SegmentCells(background, LowCells(), config);
+    EXPECT_TRUE(segmented.cells.empty());
+    EXPECT_TRUE(segmented.clusters.empty());
+  }
+}
+
+TEST(SegmentCells, RejectsMapsThatDoNotFit) {
+  ForegroundMap foreground = Scene();
+  foreground.map.cell_size_m = 0.1;
+  EXPECT_THROW(SegmentCells(foreground, LowCells(), {}), std::invalid_argument);
+  foreground = Scene();
+  foreground.is_foreground.pop_back();
+  EXPECT_THROW(SegmentCells(foreground, LowCells(), {}), std::invalid_argument);
+  foreground = Scene();
+  foreground.map.cells[7].mean.x() = std::nanf("");
+  EXPECT_THROW(SegmentCells(foreground, LowCells(), {}), std::invalid_argument);
+}
+
+TEST(SegmentationConfig, ValidateRejectsValuesOutOfRange) {
+  EXPECT_NO_THROW(SegmentationConfig{}.Validate());
+  const auto rejects = [](auto&& change) {
+    SegmentationConfig config;
+    change(config);
+    EXPECT_THROW(config.Validate(), std::invalid_argument);
+  };
+  rejects([](auto& c) { c.smoothing_radius_m = -0.1; });
+  rejects([](auto& c) { c.smoothing_radius_m = std::nan(""); });
+  rejects([](auto& c) { c.min_score = 1.1; });
+  rejects([](auto& c) { c.max_height_m = 0; });
+  rejects([](auto& c) { c.max_height_m = INFINITY; });
+  rejects([](auto& c) { c.cluster_epsilon_m = 0; });
+  rejects([](auto& c) { c.cluster_min_points = 0; });
+  rejects([](auto& c) { c.min_cluster_cells = 0; });
+}
+
+TEST(CellModel, ValidateRejectsPartsThatDoNotFit) {
+  const auto rejects = [](auto&& change) {
+    CellModel model = LowCells();
+    change(model);
+    EXPECT_THROW(model.Validate(), std::invalid_argument);
+  };
+  rejects([](auto& m) { m.cell_size_m = 0; });
+  rejects([](auto& m) { m.features = CellFeatureSet::kIron; });
+  rejects([](auto& m) { m.features = static_cast<CellFeatureSet>(7); });
+  rejects([](auto& m) { m.iron.angle_bins = 9; });
+  rejects([](auto& m) { m.trees.roots.clear(); });
+  rejects([](auto& m) { m.trees.nodes[0].left = 2; });
+}
+
+}  // namespace
+}  // namespace fallen
