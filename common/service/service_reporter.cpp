@@ -71,6 +71,12 @@ void ServiceReporter::CountDamaged(const std::string& reason) {
   warnings_.Warn("damaged", "dropped: " + reason);
 }
 
+void ServiceReporter::CountDamagedFrame(const std::string& reason) {
+  CountDamaged(reason);
+  const std::lock_guard lock(mutex_);
+  ++damaged_since_received_;
+}
+
 void ServiceReporter::CountLate(std::int64_t frames, const std::string& reason) {
   if (frames == 0) return;
   const std::lock_guard lock(mutex_);

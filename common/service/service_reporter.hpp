@@ -42,6 +42,8 @@ class ServiceReporter {
   void CountReceived(std::int64_t utime, std::int64_t seq);
   /// An input that could not be used, and why.
   void CountDamaged(const std::string& reason);
+  /// The same for a frame that could not even be decoded: its seq is missing, but it is not lost.
+  void CountDamagedFrame(const std::string& reason);
   void CountLate(std::int64_t frames, const std::string& reason);
   void CountSkipped();
 

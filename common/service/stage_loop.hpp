@@ -58,8 +58,9 @@ class StageLoop {
   template <class In>
   void OnFrame(const std::string& channel, std::function<void(const In&)> handle) {
     Subscribe(channel, [this, channel, handle = std::move(handle)](auto bytes) {
-      auto message = Decode<In>(channel, bytes);
-      if (!message) return;
+      std::string error;
+      auto message = Decode<In>(channel, bytes, error);
+      if (!message) return reporter_.CountDamagedFrame(error);
       reporter_.CountReceived(message->header.utime, message->header.seq);
       if (!options_.worker.Takes(message->header.seq)) return reporter_.CountSkipped();
       Queue({[message, handle] { handle(*message); }, bytes.size(), true});
@@ -70,8 +71,10 @@ class StageLoop {
   template <class In>
   void OnMessage(const std::string& channel, std::function<void(const In&)> handle) {
     Subscribe(channel, [this, channel, handle = std::move(handle)](auto bytes) {
-      auto message = Decode<In>(channel, bytes);
-      if (message) Queue({[message, handle] { handle(*message); }, bytes.size(), false});
+      std::string error;
+      auto message = Decode<In>(channel, bytes, error);
+      if (!message) return reporter_.CountDamaged(error);
+      Queue({[message, handle] { handle(*message); }, bytes.size(), false});
     });
   }
 
@@ -115,11 +118,13 @@ class StageLoop {
   using Bytes = std::span<const std::uint8_t>;
   class Subscriber;
 
+  /// A message to hand over, or nothing and why in `error`.
   template <class In>
-  std::shared_ptr<const In> Decode(const std::string& channel, Bytes bytes) {
+  static std::shared_ptr<const In> Decode(const std::string& channel, Bytes bytes,
+                                          std::string& error) {
     auto decoded = DecodeMessage<In>(bytes);
     if (decoded) return std::make_shared<const In>(std::move(*decoded.message));
-    reporter_.CountDamaged(channel + ": " + decoded.error);
+    error = channel + ": " + decoded.error;
     return nullptr;
   }
 
