@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "fallen/geometry/enum_names.hpp"
 #include "fallen/geometry/ground_plane.hpp"
@@ -28,8 +27,8 @@ struct NdtMap {
   double cell_size_m = 0.05;
   MapFrame frame = MapFrame::kCamera;
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
-  GroundEstimate ground;        ///< plane in the map frame; only with `ground.ok()` is it free of floor
-  std::vector<NdtCell> cells;   ///< ground-free, order deterministic
+  GroundEstimate ground;  ///< plane in the map frame; only with `ground.ok()` is it free of floor
+  std::vector<NdtCell> cells;  ///< ground-free, order deterministic
 };
 
 }  // namespace fallen

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <optional>
-
-#include <Eigen/Geometry>
 
 #include "fallen/geometry/depth_image.hpp"
 #include "fallen/geometry/enum_names.hpp"
@@ -15,7 +14,8 @@
 
 /// NDT mapping with accumulation over time and occupancy (the paper, Sec. III-B).
 ///
-/// [Einhorn15]   Einhorn, Gross: Generic NDT mapping in dynamic environments and its application for
+/// [Einhorn15]   Einhorn, Gross: Generic NDT mapping in dynamic environments and its application
+/// for
 ///               lifelong SLAM. RAS 69, 2015.
 /// [Saarinen13]  Saarinen, Andreasson, Stoyanov, Lilienthal: 3D normal distributions transform
 ///               occupancy maps. IJRR 32(14), 2013.
@@ -32,23 +32,23 @@ constexpr auto EnumNames(PoseMode) {
 }
 
 struct NdtConfig {
-  double cell_size_m = 0.05;          ///< the paper, Sec. III-B
-  bool accumulate = true;             ///< off: every frame makes a fresh map
+  double cell_size_m = 0.05;  ///< the paper, Sec. III-B
+  bool accumulate = true;     ///< off: every frame makes a fresh map
   PoseMode without_pose = PoseMode::kSingleFrames;
-  int min_points = 4;                 ///< points in a voxel before it is a cell, >= 3
-  double min_range_m = 0.4;           ///< depth along the optical axis
+  int min_points = 4;        ///< points in a voxel before it is a cell, >= 3
+  double min_range_m = 0.4;  ///< depth along the optical axis
   double max_range_m = 5.0;
-  double ground_clearance_m = 0.04;   ///< points below this height above the floor are floor
+  double ground_clearance_m = 0.04;  ///< points below this height above the floor are floor
   /// Added to the clearance per squared metre of range: depth noise grows with z^2 [1/m].
   double ground_clearance_per_sq_m = 0.003;
-  double max_height_m = 1.5;          ///< points higher above the floor are left out
-  double extent_m = 6.0;              ///< cells farther from the camera horizontally are forgotten
-  int max_points_per_cell = 400;      ///< N_max: beyond it old statistics are scaled down [Einhorn15]
-  double min_eigenvalue_ratio = 1e-3; ///< lambda >= ratio * lambda_max [Saarinen13]
-  double hit_log_odds = 0.405465;     ///< log(0.6 / 0.4) per point
-  double miss_log_odds = 0.405465;    ///< weight of a ray that surely passed through the cell
-  double unseen_miss_log_odds = 0.05; ///< for voxels that a ray crosses and that hold no Gaussian
-  double max_log_odds = 4.0;          ///< clamp, both signs
+  double max_height_m = 1.5;      ///< points higher above the floor are left out
+  double extent_m = 6.0;          ///< cells farther from the camera horizontally are forgotten
+  int max_points_per_cell = 400;  ///< N_max: beyond it old statistics are scaled down [Einhorn15]
+  double min_eigenvalue_ratio = 1e-3;  ///< lambda >= ratio * lambda_max [Saarinen13]
+  double hit_log_odds = 0.405465;      ///< log(0.6 / 0.4) per point
+  double miss_log_odds = 0.405465;     ///< weight of a ray that surely passed through the cell
+  double unseen_miss_log_odds = 0.05;  ///< for voxels that a ray crosses and that hold no Gaussian
+  double max_log_odds = 4.0;           ///< clamp, both signs
   /// Gap in the frames' time after which the map starts anew [s]; a clock that runs back does too.
   double max_time_gap_s = 5.0;
 

@@ -83,51 +83,59 @@ Plane2 DecomposeAcross(const SymmetricMatrix3& m, const Vector& w) {
   return {mean - root, mean + root, Cross(high_axis, w), high_axis};
 }
 
-SymmetricEigen3 SortDiagonal(const SymmetricMatrix3& m) {
-  SymmetricEigen3 result;
-  result.values = {m[0], m[3], m[5]};
-  const auto order = [&result](int i, int j) {
-    if (result.values[i] <= result.values[j]) return;
-    std::swap(result.values[i], result.values[j]);
-    std::swap(result.vectors[i], result.vectors[j]);
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return result;
+void SwapIfFalling(SymmetricEigen3& eigen, int i, int j) {
+  if (eigen.values[i] <= eigen.values[j]) return;
+  std::swap(eigen.values[i], eigen.values[j]);
+  std::swap(eigen.vectors[i], eigen.vectors[j]);
+}
+
+void Sort(SymmetricEigen3& eigen) {
+  SwapIfFalling(eigen, 0, 1);
+  SwapIfFalling(eigen, 1, 2);
+  SwapIfFalling(eigen, 0, 1);
 }
 
 }  // namespace
 
 SymmetricEigen3 DecomposeSymmetric(const SymmetricMatrix3& matrix) {
+  SymmetricEigen3 result;
   double scale = 0;
   for (const double value : matrix) scale = std::max(scale, std::abs(value));
-  if (matrix[1] == 0 && matrix[2] == 0 && matrix[4] == 0) return SortDiagonal(matrix);
-
   SymmetricMatrix3 m = matrix;
-  for (double& value : m) value /= scale;
-  const double mean = (m[0] + m[3] + m[5]) / 3;
-  const double b0 = m[0] - mean, b1 = m[3] - mean, b2 = m[5] - mean;
-  const double sq_off_diagonal = m[1] * m[1] + m[2] * m[2] + m[4] * m[4];
-  const double spread = std::sqrt((b0 * b0 + b1 * b1 + b2 * b2 + 2 * sq_off_diagonal) / 6);
-  if (!(spread > 0)) return SortDiagonal(matrix);  // off-diagonal values whose squares vanish
-  const double determinant = b0 * (b1 * b2 - m[4] * m[4]) - m[1] * (m[1] * b2 - m[4] * m[2]) +
-                             m[2] * (m[1] * m[4] - b1 * m[2]);
-  const double half = std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0);
+  if (scale > 0)
+    for (double& value : m) value /= scale;
 
-  // The largest eigenvalue stands apart for half >= 0, the smallest otherwise.
-  const double offset = 2 * spread * CosOfThirdAngle(std::abs(half));
-  const double isolated = half >= 0 ? mean + offset : mean - offset;
-  const Vector axis = EigenvectorOfIsolated(m, isolated);
+  // Without its mean and its spread, what is left of the matrix has eigenvalues 2 cos(angle).
+  const double mean = (m[0] + m[3] + m[5]) / 3;
+  for (const int k : {0, 3, 5}) m[k] -= mean;
+  const double sq_off_diagonal = m[1] * m[1] + m[2] * m[2] + m[4] * m[4];
+  const double spread =
+      std::sqrt((m[0] * m[0] + m[3] * m[3] + m[5] * m[5] + 2 * sq_off_diagonal) / 6);
+  if (sq_off_diagonal == 0 || spread == 0) {
+    result.values = {matrix[0], matrix[3], matrix[5]};
+    Sort(result);
+    return result;
+  }
+  for (double& value : m) value /= spread;
+  const double determinant = m[0] * (m[3] * m[5] - m[4] * m[4]) -
+                             m[1] * (m[1] * m[5] - m[4] * m[2]) +
+                             m[2] * (m[1] * m[4] - m[3] * m[2]);
+  const double cosine = std::clamp(determinant / 2, -1.0, 1.0);
+
+  // The largest eigenvalue stands apart if the determinant is positive, the smallest otherwise.
+  const bool largest_apart = cosine >= 0;
+  const double apart = (largest_apart ? 2 : -2) * CosOfThirdAngle(std::abs(cosine));
+  const Vector axis = EigenvectorOfIsolated(m, apart);
   const Plane2 rest = DecomposeAcross(m, axis);
-  SymmetricEigen3 result;
-  if (half >= 0) {
-    result.values = {rest.low * scale, rest.high * scale, isolated * scale};
+  if (largest_apart) {
+    result.values = {rest.low, rest.high, apart};
     result.vectors = {rest.low_axis, rest.high_axis, axis};
   } else {
-    result.values = {isolated * scale, rest.low * scale, rest.high * scale};
+    result.values = {apart, rest.low, rest.high};
     result.vectors = {axis, rest.low_axis, rest.high_axis};
   }
+  for (double& value : result.values) value = (mean + spread * value) * scale;
+  Sort(result);  // rounding may have turned equal values round
   return result;
 }
 

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/ndt/voxel_statistics.hpp"
+
+#include <algorithm>
+
+namespace fallen {
+namespace {
+
+// (30 um)^2: far below any depth sensor's noise, far above what float keeps of a covariance.
+constexpr double kMinVariance = 1e-9;
+
+SymmetricMatrix3 OuterProduct(const std::array<double, 3>& v) {
+  return {v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
+}
+
+double Determinant(const SymmetricMatrix3& m) {
+  return m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) +
+         m[2] * (m[1] * m[4] - m[3] * m[2]);
+}
+
+// A quick bound, true for most cells. The product of the two larger eigenvalues is at most
+// (trace / 2)^2, and the largest is at most the trace.
+bool SurelyAbove(const SymmetricMatrix3& m, double ratio) {
+  const double trace = m[0] + m[3] + m[5];
+  const double least_smallest = 4 * Determinant(m) / (trace * trace);
+  return least_smallest > ratio * trace && least_smallest > kMinVariance;
+}
+
+}  // namespace
+
+SymmetricMatrix3 Moments::Covariance() const {
+  SymmetricMatrix3 covariance{};
+  if (count < 2) return covariance;
+  for (int k = 0; k < 6; ++k) covariance[k] = scatter[k] / (count - 1);
+  return covariance;
+}
+
+Moments MomentsOf(const PointSums<double>& sums) {
+  Moments moments;
+  if (sums.count <= 0) return moments;
+  moments.count = sums.count;
+  for (int k = 0; k < 3; ++k) moments.mean[k] = sums.sum[k] / sums.count;
+  const SymmetricMatrix3 sq_mean = OuterProduct(moments.mean);
+  for (int k = 0; k < 6; ++k) moments.scatter[k] = sums.square[k] - sums.count * sq_mean[k];
+  return moments;
+}
+
+Moments Merge(const Moments& a, const Moments& b) {
+  if (a.count <= 0) return b;
+  if (b.count <= 0) return a;
+  Moments merged;
+  merged.count = a.count + b.count;
+  std::array<double, 3> difference;
+  for (int k = 0; k < 3; ++k) {
+    difference[k] = b.mean[k] - a.mean[k];
+    merged.mean[k] = a.mean[k] + difference[k] * (b.count / merged.count);
+  }
+  const SymmetricMatrix3 between = OuterProduct(difference);
+  const double weight = a.count * b.count / merged.count;
+  for (int k = 0; k < 6; ++k) merged.scatter[k] = a.scatter[k] + b.scatter[k] + weight * between[k];
+  return merged;
+}
+
+void LimitCount(Moments& moments, double max_count) {
+  if (moments.count <= max_count) return;
+  const double scale = (max_count - 1) / (moments.count - 1);
+  for (double& value : moments.scatter) value *= scale;
+  moments.count = max_count;
+}
+
+SymmetricMatrix3 FloorEigenvalues(const SymmetricMatrix3& covariance, double ratio) {
+  if (SurelyAbove(covariance, ratio)) return covariance;
+  const SymmetricEigen3 eigen = DecomposeSymmetric(covariance);
+  const double least = std::max(ratio * eigen.values[2], kMinVariance);
+  if (eigen.values[0] >= least) return covariance;
+  // Raised by what is missing along each short axis, so that the long ones keep their digits.
+  SymmetricMatrix3 floored = covariance;
+  for (int i = 0; i < 3; ++i) {
+    const double missing = least - eigen.values[i];
+    if (missing <= 0) continue;
+    const SymmetricMatrix3 along = OuterProduct(eigen.vectors[i]);
+    for (int k = 0; k < 6; ++k) floored[k] += missing * along[k];
+  }
+  return floored;
+}
+
+}  // namespace fallen
