@@ -17,6 +17,12 @@ void RequireRange(const char* name, int value, int low, int high) {
                               "]");
 }
 
+void RequirePositive(const char* name, double value) {
+  if (value > 0) return;
+  throw std::invalid_argument(std::string("capture: ") + name + " is " + std::to_string(value) +
+                              ", must be > 0");
+}
+
 }  // namespace
 
 void CaptureConfig::Validate() const {
@@ -26,6 +32,11 @@ void CaptureConfig::Validate() const {
   if (mounting_position_m.has_value() != mounting_roll_pitch_yaw_deg.has_value())
     throw std::invalid_argument(
         "capture: mounting_position_m and mounting_roll_pitch_yaw_deg must be given together");
+  RequirePositive("lost_after_s", lost_after_s);
+  RequirePositive("first_retry_s", first_retry_s);
+  if (!(longest_retry_s >= first_retry_s))
+    throw std::invalid_argument("capture: longest_retry_s is " + std::to_string(longest_retry_s) +
+                                ", must be at least first_retry_s");
 }
 
 }  // namespace fallen

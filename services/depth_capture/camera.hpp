@@ -32,7 +32,7 @@ class Camera {
 
   /// The newest frame that was not read yet; waits for one up to `timeout`.
   /// @return Nothing if none came in that time.
-  /// @throws CameraUnavailable once the camera has gone.
+  /// @throws CameraUnavailable once the camera has gone; BadFrame for one that makes no sense.
   virtual std::optional<CameraFrame> Read(std::chrono::milliseconds timeout) = 0;
 
   /// "PrimeSense PS1080 (1d27/0601@1/5), 640x480 30 Hz 1mm".

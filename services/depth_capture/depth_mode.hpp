@@ -6,16 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "fallen/geometry/enum_names.hpp"
+#include "fallen/geometry/depth_unit.hpp"
 
 namespace fallen {
-
-/// What one step of a depth value means.
-enum class DepthUnit { k1Mm = 0, k100Um = 1 };
-constexpr auto EnumNames(DepthUnit) {
-  return EnumTable<DepthUnit, 2>{{{DepthUnit::k1Mm, "1mm"}, {DepthUnit::k100Um, "100um"}}};
-}
-constexpr double MetresPerUnit(DepthUnit unit) { return unit == DepthUnit::k1Mm ? 1e-3 : 1e-4; }
 
 /// One of the ways in which a depth camera can work.
 struct DepthMode {

@@ -3,7 +3,6 @@
 #include "services/depth_capture/openni_conversions.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace fallen {
 
@@ -49,9 +48,8 @@ std::vector<DepthMode> DepthModesOf(openni::Device& device) {
 RawDepthFrame ViewOf(const openni::VideoFrameRef& frame) {
   const std::optional<DepthMode> mode = FromOpenNi(frame.getVideoMode());
   if (!mode || frame.getSensorType() != openni::SENSOR_DEPTH)
-    throw std::runtime_error("depth frame: pixel format " +
-                             std::to_string(frame.getVideoMode().getPixelFormat()) +
-                             " holds no depth");
+    throw BadFrame("depth frame: pixel format " +
+                   std::to_string(frame.getVideoMode().getPixelFormat()) + " holds no depth");
   RawDepthFrame view;
   view.bytes = {static_cast<const std::uint8_t*>(frame.getData()),
                 static_cast<std::size_t>(std::max(frame.getDataSize(), 0))};

@@ -25,7 +25,7 @@ openni::VideoMode ToOpenNi(const DepthMode& mode);
 std::vector<DepthMode> DepthModesOf(openni::Device& device);
 
 /// View of a frame's memory: valid as long as the frame.
-/// @throws std::runtime_error if it holds no depth.
+/// @throws BadFrame if it holds no depth.
 RawDepthFrame ViewOf(const openni::VideoFrameRef& frame);
 
 FieldOfView FieldOfViewOf(const openni::VideoStream& stream);

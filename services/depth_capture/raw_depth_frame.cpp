@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 namespace fallen {
@@ -16,9 +15,7 @@ constexpr std::size_t kBytesPerPixel = sizeof(std::uint16_t);
 constexpr int kMaxSide = 8192;  // as CameraIntrinsics
 
 void RequireUsable(const RawDepthFrame& frame, const FieldOfView& fov) {
-  const auto refuse = [](const std::string& text) {
-    throw std::runtime_error("depth frame: " + text);
-  };
+  const auto refuse = [](const std::string& text) { throw BadFrame("depth frame: " + text); };
   if (frame.width < 1 || frame.height < 1 || frame.width > kMaxSide || frame.height > kMaxSide)
     refuse("size is " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
            ", must be 1 to 8192 each");

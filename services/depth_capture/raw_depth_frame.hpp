@@ -5,12 +5,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 
 #include "fallen/geometry/depth_image.hpp"
 #include "services/depth_capture/depth_mode.hpp"
 
 /// From what a depth driver delivers to a depth image.
 namespace fallen {
+
+/// A frame that makes no sense; the next one may.
+class BadFrame : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A frame as it lies in the driver's memory.
 struct RawDepthFrame {
@@ -37,7 +44,7 @@ struct FieldOfView {
 /// picture, which is (width - 1) / 2 as pixel centres are whole numbers here.
 /// @param mirrored  The driver has swapped left and right: swaps them back, or whoever lies to the
 ///                  left would be reported to the right.
-/// @throws std::runtime_error naming what does not fit together.
+/// @throws BadFrame naming what does not fit together.
 DepthImage ToDepthImage(const RawDepthFrame& frame, const FieldOfView& field_of_view,
                         bool mirrored);
 
