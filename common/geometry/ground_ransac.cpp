@@ -26,8 +26,10 @@ constexpr int kTriesPerPoint = 10;
 constexpr float kMaxTangentSine = 0.26F;
 
 constexpr double kMissProbability = 1e-4;
-// A plane through three points is refined if it has this part of the points of the best one.
-constexpr int kWorthRefining = 2;
+// A plane through three points is refined if it has this part of the points that a floor needs, and
+// of those that the best one had before it was refined: it may still gain as many.
+constexpr double kPartOfNeeded = 0.5;
+constexpr double kPartOfBest = 0.8;
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr MakeCloud(const std::vector<GroundPoint>& points) {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
@@ -84,10 +86,11 @@ Eigen::VectorXf Coefficients(const Plane& plane) {
 }
 
 // Draws after which a triple on a plane with so many of the points has come up as good as surely,
-// [Fischler81] Sec. II-B: cautious, as if the points were drawn independently.
+// [Fischler81] Sec. II-B: as if two of the three were drawn independently, which is cautious, as
+// the second and the third are looked for on the surface of the first.
 int DrawsForInliers(int inliers, std::size_t points) {
   const double share = static_cast<double>(inliers) / static_cast<double>(points);
-  const double hit = std::clamp(share * share * share, 1e-9, 0.999);
+  const double hit = std::clamp(share * share, 1e-9, 0.999);
   return static_cast<int>(std::ceil(std::log(kMissProbability) / std::log(1 - hit)));
 }
 
@@ -116,7 +119,7 @@ std::optional<Floor> FindFloorByRansac(const GroundScene& scene, const GroundPri
     if (HasPointsBelow(scene, *candidate, config, kRoughSlack)) continue;  // cheaper than to count
     const int near = static_cast<int>(
         model.countWithinDistance(Coefficients(*candidate), config.inlier_distance_m));
-    if (near < std::max(min_inliers, best_near) / kWorthRefining) continue;
+    if (near < kPartOfNeeded * min_inliers || near < kPartOfBest * best_near) continue;
     const std::optional<Floor> floor = AcceptFloor(scene, *candidate, prior, config);
     if (!floor || (best && floor->score <= best->score)) continue;
     best = floor;
