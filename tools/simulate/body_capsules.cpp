@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/body_capsules.hpp"
+#include "tools/simulate/body_capsules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +93,17 @@ void ListCollisions(BodyCapsules& result) {
 
 }  // namespace
 
+bool BodyCapsules::IsTrunk(int part) const { return part == kTrunkLeft || part == kTrunkRight; }
+
+std::set<int> BodyCapsules::MayRestOn(int part) const {
+  std::set<int> parts;
+  for (const auto& [a, b] : colliding) {
+    if (a == part) parts.insert(b);
+    if (b == part) parts.insert(a);
+  }
+  return parts;
+}
+
 BodyCapsules MeasureCapsules(const HumanModel& model, const RestBody& body) {
   BodyCapsules result;
   const auto head = [&](const std::string& bone) {
@@ -113,12 +124,11 @@ BodyCapsules MeasureCapsules(const HumanModel& model, const RestBody& body) {
   // Within the skull, from the jaw to below the crown.
   add("head", "head", between(head("head"), tail("head"), 0.3), "head",
       between(head("head"), tail("head"), 0.6), 0.081, true);
-  for (const char* suffix : {".L", ".R"}) {
-    const Eigen::Vector3d hip =
-        between(head("spine05"), head(std::string("upperleg01") + suffix), 0.7);
-    const Eigen::Vector3d shoulder =
-        between(head("spine01"), head(std::string("upperarm01") + suffix), 0.5);
-    add("trunk", "root", hip, "spine01", shoulder, 0.497 / 2, true);
+  const std::string kLeftSuffix = ".L";
+  for (const std::string suffix : {".L", ".R"}) {
+    const Eigen::Vector3d hip = between(head("spine05"), head("upperleg01" + suffix), 0.7);
+    const Eigen::Vector3d shoulder = between(head("spine01"), head("upperarm01" + suffix), 0.5);
+    add("trunk", "root", hip, "spine01", shoulder, 0.497 / 2, suffix == kLeftSuffix);
   }
   for (const char* suffix : {".L", ".R"}) {
     const auto bone = [&](const char* name) { return std::string(name) + suffix; };

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
-#include "simulate/body_pose.hpp"
+#include "tools/simulate/body_pose.hpp"
 
 namespace fallen::sim {
 
@@ -24,6 +25,11 @@ struct BodyCapsules {
   std::vector<std::pair<int, int>> colliding;  ///< pairs that may meet; neighbours do not count
   /// Which capsule each bone's skin belongs to, by bone.
   std::vector<int> capsule_of_bone;
+
+  /// The trunk has two capsules but one skin, which counts as the first one's.
+  bool IsTrunk(int part) const;
+  /// Parts on which this one can lie: those that it may collide with.
+  std::set<int> MayRestOn(int part) const;
 };
 
 /// Measures the capsules of a body. Masses: [Winter09] Winter: Biomechanics and motor control of

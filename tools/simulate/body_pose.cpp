@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/body_pose.hpp"
+#include "tools/simulate/body_pose.hpp"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "simulate/body_shape.hpp"
+#include "tools/simulate/body_shape.hpp"
 
 namespace fallen::sim {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/body_shape.hpp"
+#include "tools/simulate/body_shape.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "simulate/random.hpp"
-#include "simulate/smooth_noise.hpp"
+#include "tools/simulate/random.hpp"
+#include "tools/simulate/smooth_noise.hpp"
 
 namespace fallen::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "simulate/human_model.hpp"
+#include "tools/simulate/human_model.hpp"
 
 namespace fallen::sim {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/column_grid.hpp"
+#include "tools/simulate/column_grid.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "simulate/triangle_mesh.hpp"
+#include "tools/simulate/triangle_mesh.hpp"
 
 namespace fallen::sim {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/depth_sensor.hpp"
+#include "tools/simulate/depth_sensor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "simulate/random.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fallen/geometry/depth_image.hpp"
-#include "simulate/ray_caster.hpp"
+#include "tools/simulate/ray_caster.hpp"
 
 /// What a structured-light camera of the PrimeSense kind (Xtion, Carmine, Kinect 1) makes of a
 /// scene.

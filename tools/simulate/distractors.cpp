@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/distractors.hpp"
+#include "tools/simulate/distractors.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "simulate/persons.hpp"
-#include "simulate/smooth_noise.hpp"
+#include "tools/simulate/persons.hpp"
+#include "tools/simulate/smooth_noise.hpp"
 
 namespace fallen::sim {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "simulate/furniture_catalogue.hpp"
-#include "simulate/human_model.hpp"
-#include "simulate/random.hpp"
-#include "simulate/scene.hpp"
+#include "tools/simulate/furniture_catalogue.hpp"
+#include "tools/simulate/human_model.hpp"
+#include "tools/simulate/random.hpp"
+#include "tools/simulate/scene.hpp"
 
 namespace fallen::sim {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/furniture_catalogue.hpp"
+#include "tools/simulate/furniture_catalogue.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "simulate/random.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen::sim {
 namespace {

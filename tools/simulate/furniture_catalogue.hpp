@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fallen/geometry/enum_names.hpp"
-#include "simulate/triangle_mesh.hpp"
+#include "tools/simulate/triangle_mesh.hpp"
 
 /// Furniture of Debian's package sweethome3d-furniture.
 namespace fallen::sim {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
-#include "simulate/furniture_catalogue.hpp"
+#include "tools/simulate/furniture_catalogue.hpp"
 
 namespace fallen::sim {
 namespace {

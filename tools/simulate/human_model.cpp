@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/human_model.hpp"
+#include "tools/simulate/human_model.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/lying_poses.hpp"
+#include "tools/simulate/lying_poses.hpp"
 
 #include <numbers>
 
@@ -90,7 +90,7 @@ void DrawSide(Drawer& drawer, Side below) {
   drawer.LegFlexed(below, 0, 0.5, 0.1, 0.7);
   drawer.LegFlexed(above, 0.1, 0.9, 0.2, 1.1);
   drawer.pose().neck.z() = 0;
-  drawer.stiffness().legs = {0.5, 0.5};
+  drawer.stiffness().legs = {1.0, 1.0};
 }
 
 void DrawCurled(Drawer& drawer, Side below) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fallen/geometry/enum_names.hpp"
-#include "simulate/body_pose.hpp"
-#include "simulate/random.hpp"
+#include "tools/simulate/body_pose.hpp"
+#include "tools/simulate/random.hpp"
 
 /// How people lie on a floor, as drawn before gravity has its way.
 ///
@@ -54,8 +54,8 @@ constexpr auto EnumNames(PoseFamily) {
 struct PoseStiffness {
   double roll = 0.3;
   double spine = 0.4;
-  double neck = 0.8;
-  std::array<double, 2> arms = {4, 4};
+  double neck = 2.5;
+  std::array<double, 2> arms = {5, 5};
   std::array<double, 2> legs = {1.5, 1.5};
 };
 

@@ -1,83 +1,81 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "simulate/preview.hpp"
-#include "simulate/recording.hpp"
+#include "tools/common/partial_file.hpp"
+#include "tools/common/progress_bar.hpp"
+#include "tools/common/tool.hpp"
+#include "tools/simulate/preview.hpp"
+#include "tools/simulate/recording.hpp"
 
 namespace {
 
-// A bar where somebody watches, nothing in a file.
-void ShowProgress(int done, int total) {
-  constexpr int kWidth = 40;
-  static const bool watched = isatty(STDERR_FILENO) != 0;
-  if (!watched) return;
-  const int filled = kWidth * done / total;
-  std::fprintf(stderr, "\r[%s%s] %d/%d", std::string(static_cast<std::size_t>(filled), '#').c_str(),
-               std::string(static_cast<std::size_t>(kWidth - filled), ' ').c_str(), done, total);
-  if (done == total) std::fprintf(stderr, "\n");
-}
+struct Arguments {
+  std::filesystem::path scenario;
+  std::optional<std::filesystem::path> output, preview, assets;
+  std::vector<std::string> settings;
+  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  bool describe = false;
+};
 
-int Run(const std::string& scenario_file, const std::string& output,
-        const std::vector<std::string>& set, int jobs, const std::string& preview,
-        const std::optional<std::filesystem::path>& assets_folder, bool describe) {
+int Run(const Arguments& arguments) {
   using namespace fallen::sim;
-  const Scenario scenario = LoadScenario(scenario_file, set);
-  if (describe) std::printf("%s\n", DescribeScenario(scenario).c_str());
-  if (output.empty() && preview.empty()) return 0;
-  const Assets assets = LoadAssets(AssetsFolder(assets_folder));
+  if (!arguments.output && !arguments.preview && !arguments.describe)
+    throw std::invalid_argument("got nothing to do, expected --output, --preview or --describe");
+  const Scenario scenario = LoadScenario(arguments.scenario, arguments.settings);
+  if (arguments.describe) std::cout << DescribeScenario(scenario) << std::endl;
+  if (!arguments.output && !arguments.preview) return 0;
+  const Assets assets = LoadAssets(AssetsFolder(arguments.assets));
   const Simulation simulation(scenario, assets);
-  if (!preview.empty()) WritePng(preview, DrawPreview(simulation, std::min(4, scenario.frames)));
-  if (output.empty()) return 0;
-  std::fprintf(stderr, "%s\n", DescribeScenario(scenario).c_str());
-  WriteRecording(simulation, output, jobs, [&](int done) { ShowProgress(done, scenario.frames); });
+  constexpr int kPreviewFrames = 4;
+  if (arguments.preview)
+    WritePng(*arguments.preview,
+             DrawPreview(simulation, std::min(kPreviewFrames, scenario.frames)));
+  if (!arguments.output) return 0;
+  fallen::PartialFile log(*arguments.output);
+  fallen::ProgressBar bar("simulate");
+  WriteRecording(simulation, log.path(), arguments.jobs, [&](int done) {
+    bar.Update(static_cast<double>(done) / scenario.frames, "frame " + std::to_string(done));
+  });
+  log.Commit();
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Simulates recordings of a depth camera on a mobile robot, with ground truth");
-  app.set_version_flag("--version", FALLEN_VERSION);
-  std::string scenario, output, preview;
-  std::vector<std::string> set;
-  std::optional<std::filesystem::path> assets;
-  bool describe = false;
-  int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  app.add_option("scenario", scenario, "YAML file; what it leaves open is drawn from its seed")
+  Arguments arguments;
+  const auto parser = fallen::MakeToolParser(
+      "fallen-simulate",
+      "Simulates recordings of a depth camera on a mobile robot, with ground truth");
+  parser
+      ->add_option("scenario", arguments.scenario,
+                   "YAML file; what it leaves open is drawn from its seed")
       ->required();
-  app.add_option("-o,--output", output, "LCM log to write");
-  app.add_option("--set", set, "Overrides a key of the scenario: key=value")->take_all();
-  app.add_option_function<int>(
-      "--frames", [&](int frames) { set.push_back("frames=" + std::to_string(frames)); },
+  parser->add_option("-o,--output", arguments.output, "LCM log to write");
+  parser->add_option("--set", arguments.settings, "Overrides a key of the scenario: key=value")
+      ->allow_extra_args(false);
+  parser->add_option_function<int>(
+      "--frames",
+      [&](int frames) { arguments.settings.push_back("frames=" + std::to_string(frames)); },
       "Number of pictures, as --set frames=N");
-  app.add_option("--jobs", jobs, "Threads; the log does not depend on it")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--preview", preview, "PNG with some frames, labels and the room from above");
-  app.add_option("--assets", assets,
-                 "Folder that tools/fetch-assets filled (default: $FALLEN_ASSETS)");
-  app.add_flag("--describe", describe, "Prints the scenario with all that was drawn, as JSON");
-  try {
-    app.parse(argc, argv);
-    if (output.empty() && preview.empty() && !describe)
-      throw CLI::ValidationError("arguments",
-                                 "got nothing to do, expected --output, --preview or --describe");
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "fallen-simulate: %s\n", error.what());
-    return 2;
-  }
-  try {
-    return Run(scenario, output, set, jobs, preview, assets, describe);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "fallen-simulate: %s\n", error.what());
-    return 2;
-  }
+  parser->add_option("--jobs", arguments.jobs, "Threads; the log does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  parser->add_option("--preview", arguments.preview,
+                     "PNG with some frames, labels and the room from above");
+  parser->add_option(
+      "--assets", arguments.assets,
+      "Folder that tools/fetch-assets filled (default: $FALLEN_ASSETS, else assets/)");
+  parser->add_flag("--describe", arguments.describe,
+                   "Prints the scenario with all that was drawn, as JSON");
+  return fallen::RunTool(*parser, argc, argv, [&] { return Run(arguments); });
 }

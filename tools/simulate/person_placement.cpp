@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/person_placement.hpp"
+#include "tools/simulate/person_placement.hpp"
 
 #include <cmath>
 #include <numbers>

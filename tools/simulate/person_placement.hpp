@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "fallen/geometry/enum_names.hpp"
-#include "simulate/column_grid.hpp"
-#include "simulate/random.hpp"
-#include "simulate/room_layout.hpp"
+#include "tools/simulate/column_grid.hpp"
+#include "tools/simulate/random.hpp"
+#include "tools/simulate/room_layout.hpp"
 
 namespace fallen::sim {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/persons.hpp"
+#include "tools/simulate/persons.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulate/body_shape.hpp"
-#include "simulate/lying_poses.hpp"
-#include "simulate/scene.hpp"
-#include "simulate/settling.hpp"
+#include "tools/simulate/body_shape.hpp"
+#include "tools/simulate/lying_poses.hpp"
+#include "tools/simulate/scene.hpp"
+#include "tools/simulate/settling.hpp"
 
 namespace fallen::sim {
 

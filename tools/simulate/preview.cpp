@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/preview.hpp"
+#include "tools/simulate/preview.hpp"
 
 #include <png.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "simulate/random.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "simulate/simulation.hpp"
+#include "tools/simulate/simulation.hpp"
 
 namespace fallen::sim {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/ray_caster.hpp"
+#include "tools/simulate/ray_caster.hpp"
 
 #include <embree3/rtcore.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fallen/geometry/camera_intrinsics.hpp"
-#include "simulate/scene.hpp"
+#include "tools/simulate/scene.hpp"
 
 namespace fallen::sim {
 

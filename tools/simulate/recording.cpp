@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/recording.hpp"
+#include "tools/simulate/recording.hpp"
 
 #include <algorithm>
 #include <condition_variable>

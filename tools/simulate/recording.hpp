@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "simulate/simulation.hpp"
+#include "tools/simulate/simulation.hpp"
 
 namespace fallen::sim {
 

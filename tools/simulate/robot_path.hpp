@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "simulate/column_grid.hpp"
-#include "simulate/random.hpp"
+#include "tools/simulate/column_grid.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen::sim {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "simulate/furniture_catalogue.hpp"
-#include "simulate/scene.hpp"
+#include "tools/simulate/furniture_catalogue.hpp"
+#include "tools/simulate/scene.hpp"
 
 namespace fallen::sim {
 

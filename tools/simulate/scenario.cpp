@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/scenario.hpp"
+#include "tools/simulate/scenario.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -11,57 +11,12 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "simulate/distractors.hpp"
-#include "simulate/random.hpp"
+#include "fallen/service/yaml_fields.hpp"
+#include "tools/simulate/distractors.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen::sim {
 namespace {
-
-template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
-
-template <class Enum>
-std::string NamesOf() {
-  std::string names;
-  for (const auto& [value, name] : EnumNames(Enum{}))
-    names += (names.empty() ? "" : ", ") + std::string(name);
-  return names;
-}
-
-template <class T>
-std::string ExpectedOf() {
-  if constexpr (std::is_enum_v<T>) return "one of " + NamesOf<T>();
-  if constexpr (std::is_same_v<T, bool>) return "true or false";
-  if constexpr (std::is_integral_v<T>) return "a whole number";
-  if constexpr (std::is_floating_point_v<T>) return "a number";
-  if constexpr (std::is_same_v<T, std::vector<std::string>>) return "random, or a list of kinds";
-  return "text";
-}
-
-template <class T>
-void Convert(const YAML::Node& node, T& value) {
-  if constexpr (IsOptional<T>::value) {
-    value.emplace();
-    Convert(node, *value);
-  } else if constexpr (std::is_enum_v<T>) {
-    const auto found = EnumFromName<T>(node.as<std::string>());
-    if (!found) throw YAML::BadConversion(node.Mark());
-    value = *found;
-  } else {
-    value = node.as<T>();
-  }
-}
-
-[[noreturn]] void Fail(const std::string& source, const YAML::Mark& mark, const std::string& what) {
-  const std::string line = mark.is_null() ? "" : ":" + std::to_string(mark.line + 1);
-  throw std::runtime_error(source + line + ": " + what);
-}
-
-std::string TextOf(const YAML::Node& node) {
-  return node.IsScalar() ? "'" + node.Scalar() + "'" : std::string("a list or map");
-}
 
 // What the file leaves open.
 Scenario DrawScenario(const std::set<std::string>& given, Scenario scenario) {
@@ -131,62 +86,50 @@ void Scenario::Validate() const {
   }
 }
 
+namespace {
+
+// Takes over what one document says; `given` collects its keys.
+void Apply(YAML::Node root, const std::string& source, Scenario& scenario,
+           std::set<std::string>& given) {
+  const YamlPlace place{source, ""};
+  RequireYamlMap(root, place);
+  const YAML::Node distractors = root["distractors"];
+  if (distractors.IsDefined() && distractors.IsScalar() && distractors.Scalar() == "random")
+    root.remove("distractors");  // the same as not naming any
+  ReadYaml(root, place, scenario);
+  for (const auto& entry : root) given.insert(entry.first.Scalar());
+}
+
+YAML::Node ParseYaml(const std::string& text, const std::string& source) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::ParserException& error) {
+    throw std::runtime_error(source + ":" + std::to_string(error.mark.line + 1) +
+                             ": no valid YAML: " + error.msg);
+  }
+}
+
+}  // namespace
+
 Scenario ParseScenario(const std::string& text, const std::string& source,
                        const std::vector<std::string>& overrides) {
   Scenario scenario;
   std::set<std::string> given;
-  const auto apply = [&](const std::string& where, const YAML::Node& root) {
-    if (root.IsNull()) return;
-    if (!root.IsMap())
-      Fail(where, root.Mark(), "got " + TextOf(root) + ", expected keys and values");
-    for (const auto& entry : root) {
-      const auto key = entry.first.as<std::string>();
-      const YAML::Node& node = entry.second;
-      bool known = false;
-      std::string keys;
-      scenario.Visit([&](const char* name, auto& value) {
-        keys += (keys.empty() ? "" : ", ") + std::string(name);
-        if (key != name) return;
-        known = true;
-        using Value = std::remove_reference_t<decltype(value)>;
-        try {
-          if constexpr (std::is_same_v<Value, std::vector<std::string>>)
-            if (node.IsScalar() && node.Scalar() == "random") return;  // as if not given
-          Convert(node, value);
-          given.insert(key);
-        } catch (const YAML::Exception&) {
-          if constexpr (IsOptional<Value>::value)
-            Fail(where, node.Mark(), key + ": got " + TextOf(node) + ", expected a number");
-          else
-            Fail(where, node.Mark(),
-                 key + ": got " + TextOf(node) + ", expected " + ExpectedOf<Value>());
-        }
-      });
-      if (!known)
-        Fail(where, entry.first.Mark(), key + ": got an unknown key, expected one of " + keys);
-    }
-  };
-  const auto parse = [&](const std::string& where, const std::string& yaml) {
-    try {
-      return YAML::Load(yaml);
-    } catch (const YAML::Exception& error) {
-      Fail(where, error.mark, "got broken YAML (" + error.msg + "), expected keys and values");
-    }
-  };
-  apply(source, parse(source, text));
-  for (const std::string& override_text : overrides) {
-    const std::size_t equals = override_text.find('=');
+  const YAML::Node root = ParseYaml(text, source);
+  Apply(root, source, scenario, given);
+  for (const std::string& setting : overrides) {
+    const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
-      throw std::runtime_error("--set: got '" + override_text + "', expected key=value");
-    const std::string yaml =
-        override_text.substr(0, equals) + ": " + override_text.substr(equals + 1);
-    apply("--set", parse("--set", yaml));
+      throw std::runtime_error("--set: got '" + setting + "', expected key=value");
+    const std::string where = "--set " + setting;
+    Apply(ParseYaml(setting.substr(0, equals) + ": " + setting.substr(equals + 1), where), where,
+          scenario, given);
   }
   scenario = DrawScenario(given, scenario);
   try {
     scenario.Validate();
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(source + ": " + error.what());
+    ThrowInvalid(root, {source, ""}, error.what());
   }
   return scenario;
 }

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "simulate/furniture_catalogue.hpp"
-#include "simulate/lying_poses.hpp"
-#include "simulate/person_placement.hpp"
+#include "tools/simulate/furniture_catalogue.hpp"
+#include "tools/simulate/lying_poses.hpp"
+#include "tools/simulate/person_placement.hpp"
 
 namespace fallen::sim {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fallen/geometry/oriented_box.hpp"
-#include "simulate/triangle_mesh.hpp"
+#include "tools/simulate/triangle_mesh.hpp"
 
 /// What stands and lies in a room. Frame `world`: z up, the floor at z = 0, origin at the middle of
 /// the room.

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/settling.hpp"
+#include "tools/simulate/settling.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
-#include "simulate/body_capsules.hpp"
+#include "tools/simulate/body_capsules.hpp"
 
 namespace fallen::sim {
 namespace {
@@ -91,6 +92,12 @@ class Energy {
   void Judge(const BodyPose& pose, SettledPose& settled);
 
  private:
+  struct SkinPoint {
+    Eigen::Vector3d p;
+    int part;
+  };
+  double Gap(int part, const std::vector<SkinPoint>& skin) const;
+
   double SkinHeight(int v) const {
     const HumanModel& model = rig_.model();
     const Eigen::Vector3d p = rig_.body().skin.col(v).cast<double>();
@@ -133,7 +140,7 @@ class Energy {
     return sum;
   }
 
-  double Gap(int a, int b) const {
+  double CapsuleGap(int a, int b) const {
     const auto& [a0, a1] = ends_[static_cast<std::size_t>(a)];
     const auto& [b0, b1] = ends_[static_cast<std::size_t>(b)];
     return SegmentDistance(a0, a1, b0, b1) -
@@ -144,7 +151,7 @@ class Energy {
   double Overlaps() const {
     double sum = 0;
     for (const auto& [a, b] : capsules_.colliding) {
-      const double overlap = -Gap(a, b);
+      const double overlap = -CapsuleGap(a, b);
       if (overlap > 0) sum += kOverlap * overlap * overlap;
     }
     return sum;
@@ -175,27 +182,39 @@ class Energy {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> ends_;
 };
 
+// Air between a part and the floor or, but for the trunk, whatever else of the body holds it up.
+// Measured on the skin, for the capsules are thinner than, say, a belly.
+double Energy::Gap(int part, const std::vector<SkinPoint>& skin) const {
+  constexpr int kStride = 7;  // of the part's skin points: a centimetre or two apart
+  double gap = 10;
+  for (const SkinPoint& point : skin)
+    if (point.part == part) gap = std::min(gap, point.p.z());
+  if (gap <= kMaxFloat || capsules_.IsTrunk(part)) return gap;
+  const std::set<int> supports = capsules_.MayRestOn(part);
+  int count = 0;
+  for (const SkinPoint& point : skin) {
+    if (point.part != part || ++count % kStride != 0) continue;
+    for (const SkinPoint& other : skin)
+      if (supports.contains(other.part)) gap = std::min(gap, (point.p - other.p).norm());
+  }
+  return gap;
+}
+
 void Energy::Judge(const BodyPose& pose, SettledPose& settled) {
   rig_.Transform(pose, transforms_);
-  Weight();
-  std::vector<double> lowest(capsules_.capsules.size(), 10);
+  const Eigen::Matrix3Xf skinned = Skin(rig_.model(), transforms_, rig_.body().skin);
+  std::vector<SkinPoint> skin;
   for (const int v : rig_.body().body_vertices) {
     const auto bone =
         static_cast<std::size_t>(rig_.model().skin_bones[static_cast<std::size_t>(v)][0]);
-    double& low = lowest[static_cast<std::size_t>(capsules_.capsule_of_bone[bone])];
-    low = std::min(low, SkinHeight(v));
+    skin.push_back({skinned.col(v).cast<double>(), capsules_.capsule_of_bone[bone]});
   }
-  lowest[2] = lowest[1];  // the skin of the trunk is not told apart by side
   settled.sink_m = 0;
   settled.float_m = 0;
-  for (std::size_t i = 0; i < lowest.size(); ++i) {
-    settled.sink_m = std::max(settled.sink_m, -lowest[i]);
-    if (!capsules_.capsules[i].must_rest) continue;
-    double gap = lowest[i];
-    for (const auto& [a, b] : capsules_.colliding)
-      if (a == static_cast<int>(i) || b == static_cast<int>(i)) gap = std::min(gap, Gap(a, b));
-    settled.float_m = std::max(settled.float_m, gap);
-  }
+  for (const SkinPoint& point : skin) settled.sink_m = std::max(settled.sink_m, -point.p.z());
+  for (std::size_t i = 0; i < capsules_.capsules.size(); ++i)
+    if (capsules_.capsules[i].must_rest)
+      settled.float_m = std::max(settled.float_m, Gap(static_cast<int>(i), skin));
 }
 
 }  // namespace
@@ -239,7 +258,7 @@ SettledPose SettleOnFloor(const BodyRig& rig, const DrawnPose& drawn) {
 }
 
 SettledPose DrawSettledPose(const BodyRig& rig, PoseFamily family, Random& random) {
-  constexpr int kTries = 6;
+  constexpr int kTries = 10;
   SettledPose best;
   double best_badness = 1e9;
   for (int i = 0; i < kTries; ++i) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulate/body_pose.hpp"
-#include "simulate/lying_poses.hpp"
+#include "tools/simulate/body_pose.hpp"
+#include "tools/simulate/lying_poses.hpp"
 
 namespace fallen::sim {
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/simulation.hpp"
+#include "tools/simulate/simulation.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <stdexcept>
 
-#include "simulate/distractors.hpp"
-#include "simulate/persons.hpp"
-#include "simulate/room_layout.hpp"
+#include "tools/simulate/distractors.hpp"
+#include "tools/simulate/persons.hpp"
+#include "tools/simulate/room_layout.hpp"
 
 namespace fallen::sim {
 namespace {

@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "simulate/depth_sensor.hpp"
-#include "simulate/robot_path.hpp"
-#include "simulate/scenario.hpp"
-#include "simulate/scene.hpp"
-#include "simulate/settling.hpp"
+#include "tools/simulate/depth_sensor.hpp"
+#include "tools/simulate/robot_path.hpp"
+#include "tools/simulate/scenario.hpp"
+#include "tools/simulate/scene.hpp"
+#include "tools/simulate/settling.hpp"
 
 namespace fallen::sim {
 

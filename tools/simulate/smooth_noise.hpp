@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "simulate/random.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen::sim {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulate/triangle_mesh.hpp"
+#include "tools/simulate/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
