@@ -1,7 +1,8 @@
 # LCM behind one target: `LCM::lcm`, and its generator in LCM_GEN_EXECUTABLE.
 # LCM >= 1.4 brings a CMake package; 1.3.1 (Debian 12) has pkg-config only, and its .pc file needs
 # libglib2.0-dev.
-find_package(lcm CONFIG QUIET)
+# Not from the registry of build trees: a build of LCM that somebody tried once is no installation.
+find_package(lcm CONFIG QUIET NO_CMAKE_PACKAGE_REGISTRY)
 if(TARGET lcm)
   set(LCM_VERSION "${lcm_VERSION}")
   add_library(LCM::lcm INTERFACE IMPORTED)
