@@ -59,6 +59,21 @@ function(fallen_executable name)
   install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endfunction()
 
+# fallen_service(<name> SOURCES <file>... DEPENDS <target>...) makes fallen_<name>_service, which tests link,
+# and of it and main.cpp the installed program fallen-<name>. Sources say
+# `#include "services/<name>/<name>_service.hpp"`.
+function(fallen_service name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  set(target fallen_${name}_service)
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(fallen::${name}_service ALIAS ${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PUBLIC fallen::service ${ARG_DEPENDS} PRIVATE fallen_warnings)
+  string(REPLACE "_" "-" program "fallen-${name}")
+  fallen_executable(${program} SOURCES main.cpp DEPENDS ${target})
+endfunction()
+
 # fallen_test(<name> SOURCES <file>... DEPENDS <target>...) makes a GoogleTest program and registers
 # each of its tests. Tests find the repository in FALLEN_SOURCE_DIR and programs in FALLEN_BIN_DIR.
 function(fallen_test name)

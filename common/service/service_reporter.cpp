@@ -45,6 +45,7 @@ std::int64_t ResidentBytes() {
 ServiceReporter::ServiceReporter(lcm::LCM& lcm, const std::string& service,
                                  const std::string& camera)
     : lcm_(lcm), status_channel_(channels::Status(service)) {
+  state_ = ServiceState::kRunning;  // shows as STARTING until something happens
   counts_.service = service;
   counts_.version = Version();
   counts_.pid = getpid();

@@ -70,9 +70,7 @@ StageLoop::StageLoop(lcm::LCM& lcm, const StageOptions& options)
       options_(options),
       reporter_(lcm, options.service, options.camera),
       queue_(options.lossless ? TaskQueue::Order::kEveryFrame : TaskQueue::Order::kNewestFrame,
-             options.max_waiting_bytes) {
-  reporter_.SetState(ServiceState::kRunning, "");
-}
+             options.max_waiting_bytes) {}
 
 StageLoop::~StageLoop() = default;
 
