@@ -44,12 +44,14 @@ class SupportTest {
         min_reach_(static_cast<float>(slack * inlier_distance_m)),
         reach_per_depth_(static_cast<float>(slack * kNoiseReach * plane.offset)) {}
 
-  // 1 - (distance / reach)^2; 0 beyond the reach or for a surface of another direction.
+  // Falls from 1 on the plane to 0 at the reach, and likewise over the last third of the deviation
+  // of normals: the feet of walls, where normals turn from the floor's to the wall's, count little.
   float Score(const GroundPoint& point) const {
-    if (normal_.dot(point.normal) < min_cosine_) return 0;
+    const float direction = (normal_.dot(point.normal) - min_cosine_) / (1 - min_cosine_);
+    if (direction <= 0) return 0;
     const float reach = std::max(min_reach_, reach_per_depth_ * point.position.z());
     const float distance = (normal_.dot(point.position) + offset_) / reach;
-    return std::max(0.F, 1 - distance * distance);
+    return std::max(0.F, 1 - distance * distance) * std::min(2 * direction, 1.F);
   }
 
  private:

@@ -31,8 +31,8 @@ GroundScene MakeGroundScene(std::vector<GroundPoint> points, const GroundPrior& 
 /// Fits the plane anew to the points that support it; gives back `plane` itself where that fails or
 /// leaves the prior.
 ///
-/// Least squares of inverse depth, whose noise is the same at all ranges, so that far points count
-/// as much as they are worth.
+/// Robust least squares of inverse depth, whose noise is the same at all ranges, so that far points
+/// count as much as they are worth.
 Plane RefineFloor(const GroundScene& scene, const Plane& plane, const GroundPrior& prior,
                   double inlier_distance_m);
 
@@ -54,7 +54,7 @@ int CountInliers(const GroundScene& scene, const Plane& plane, double inlier_dis
 struct Floor {
   Plane plane;
   int inliers = 0;
-  double score = 0;  ///< inliers, weighted by 1 - (distance / largest distance)^2, [Torr00]
+  double score = 0;  ///< inliers, weighted by how well they agree, as in [Torr00]
 };
 
 /// `plane` refined; nothing if it cannot be the floor of this scene.

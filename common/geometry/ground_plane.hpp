@@ -49,24 +49,27 @@ constexpr auto EnumNames(GroundStatus) {
 
 struct GroundConfig {
   GroundMethod method = GroundMethod::kAuto;
-  /// A point this close to the plane supports it [m], > 0. PrimeSense noise at 3 m is 1-2 cm.
+  /// A point this close to the plane supports it [m], in (0, 1). Far points may be as far away as
+  /// the noise of PrimeSense sensors takes them, three sigma.
   double inlier_distance_m = 0.03;
   /// Largest angle between the plane's normal and the expected up direction [deg], (0, 90): the
   /// cone. Expected is the mounting's up, or the image's up direction where no mounting is known.
-  double max_tilt_deg = 35;
-  /// With `kAuto` and a known mounting, how far the image may correct it: angle [deg] and height
-  /// [m].
+  /// Tuned on 7-Scenes kitchen, a camera in the hand that looks down by up to 37 degrees.
+  double max_tilt_deg = 40;
+  /// With `kAuto` and a known mounting, how far the image may correct it: angle [deg], (0, 90), and
+  /// height [m], > 0.
   double max_mounting_error_deg = 4;
   double max_mounting_error_m = 0.10;
-  /// Camera heights that are possible on this robot [m].
+  /// Camera heights that are possible on this robot [m], > 0. A table that fills the whole view is
+  /// told from a floor by nothing else, unless a mounting is known.
   double min_camera_height_m = 0.2;
   double max_camera_height_m = 2.2;
   /// Least share of the measured points that must lie on the floor, (0, 1).
   double min_inlier_fraction = 0.03;
-  /// Planes tried, and the seed of the generator that draws them.
+  /// Planes tried at most, [1, 1000000], and the seed of the generator that draws them.
   int ransac_iterations = 200;
   std::int64_t ransac_seed = 1;
-  /// Points used by the estimators: the image is thinned to about so many.
+  /// Points used by the estimators, [100, 10000000]: the image is thinned to about so many.
   int sample_points = 4000;
 
   void Validate() const;
@@ -100,9 +103,12 @@ struct GroundEstimate {
 
 /// Finds the floor in `image` by the configured method.
 ///
+/// With `kAuto`, a mounting, and no floor in view, the mounting's plane is the answer. `kMounting`
+/// does not look at the pixels; on a VGA image RANSAC takes about 0.5 ms and v-disparity 1.4 ms.
 /// @param T_robot_camera  Mounting, if known: robot frame with z up and its origin on the floor.
 /// @return The plane in the camera frame, normal up, with a status.
-/// @throws std::invalid_argument if `image` or `config` is malformed.
+/// @throws std::invalid_argument if `image`, `config` or the mounting (not rigid, or the camera not
+///         above the floor) is malformed.
 /// Deterministic for equal arguments. Thread-safe.
 GroundEstimate EstimateGround(const DepthImage& image,
                               const std::optional<Eigen::Isometry3d>& T_robot_camera,
