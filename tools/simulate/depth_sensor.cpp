@@ -47,7 +47,7 @@ class NoiseField {
     return kPatchShare * NormalFromBits(Hash(u / patch_, v / patch_, 1)) +
            kPixelShare * NormalFromBits(Hash(u, v, 0));
   }
-  double UniformAt(int u, int v) const { return UniformFromBits(Hash(u, v, 2)); }
+  double UniformAt(int u, int v) const { return UniformFromBits(Hash(u / patch_, v / patch_, 2)); }
 
  private:
   std::uint64_t Hash(int u, int v, std::uint64_t kind) const {
@@ -72,7 +72,8 @@ bool AtEdge(const IdealView& view, int width, int height, int u, int v) {
 double LossProbability(double depth_m, double cosine, double albedo) {
   const double signal = albedo * cosine / (depth_m * depth_m);
   if (signal <= 0) return 1;
-  return 1 / (1 + std::pow(signal / kWeakSignal, 1 / kSignalSpread));
+  const auto ratio = static_cast<float>(signal / kWeakSignal);
+  return 1 / (1 + std::exp(std::log(ratio) / static_cast<float>(kSignalSpread)));
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ SensorImage TakePicture(const RayCaster& caster, const CameraIntrinsics& intrins
   const int width = intrinsics.width, height = intrinsics.height;
   const int patch = std::max(1, kPatchAt640 * width / 640);
   const NoiseField noise_u(seed ^ 1, patch), noise_v(seed ^ 2, patch), noise_z(seed ^ 3, patch);
-  const NoiseField loss(seed ^ 4, patch);
+  const NoiseField loss(seed ^ 4, std::max(1, patch / 2));
   std::vector<float> jitter;
   if (config.noise) {
     const double sigma = config.lateral_noise_px * width / 640;

@@ -78,6 +78,12 @@ void DrawProneHead(Drawer& drawer) {
   for (LimbPose& leg : drawer.pose().legs) leg.tip = drawer.Between(0.5, 0.95);
 }
 
+// On the side, the upper leg and the head hang: only their weight holds them down.
+void RelaxOnSide(Drawer& drawer) {
+  drawer.stiffness().legs = {3, 3};
+  drawer.stiffness().neck = 4;
+}
+
 void DrawSide(Drawer& drawer, Side below) {
   const Side above = below == kLeft ? kRight : kLeft;
   const double roll = drawer.Between(1.35, 1.85);
@@ -90,7 +96,7 @@ void DrawSide(Drawer& drawer, Side below) {
   drawer.LegFlexed(below, 0, 0.5, 0.1, 0.7);
   drawer.LegFlexed(above, 0.1, 0.9, 0.2, 1.1);
   drawer.pose().neck.z() = 0;
-  drawer.stiffness().legs = {1.0, 1.0};
+  RelaxOnSide(drawer);
 }
 
 void DrawCurled(Drawer& drawer, Side below) {
@@ -115,6 +121,7 @@ void DrawRecovery(Drawer& drawer, Side below) {
              drawer.Between(-0.3, 0.3));
   drawer.LegFlexed(below, 0, 0.2, 0.05, 0.4);
   drawer.LegFlexed(above, 1.0, 1.5, 1.2, 1.8);
+  RelaxOnSide(drawer);
 }
 
 void DrawSprawled(Drawer& drawer) {
