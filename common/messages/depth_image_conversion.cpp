@@ -25,8 +25,8 @@ void Check(const depth_image_t& message) {
   checks::InRange("depth_image_t.depth_unit_m", message.depth_unit_m, 0.0, kMaxDepthUnit_m);
   if (checks::Boolean("depth_image_t.has_mounting", message.has_mounting)) {
     for (const double coordinate : message.mounting_position)
-      checks::InRange("depth_image_t.mounting_position", coordinate, -limits::kMaxLocalDistance_m,
-                      limits::kMaxLocalDistance_m);
+      checks::InRange("depth_image_t.mounting_position", coordinate, -limits::kMaxMounting_m,
+                      limits::kMaxMounting_m);
     checks::UnitQuaternion("depth_image_t.mounting_orientation", message.mounting_orientation);
   }
   checks::InRange("depth_image_t.compression", message.compression, depth_image_t::COMPRESSION_NONE,

@@ -22,7 +22,7 @@ ndt_cells_t CellsToMessage(const std::vector<NdtCell>& cells);
 /// Checks all that NdtCell promises: counts agree, values finite and in bounds, covariance positive
 /// definite, points > 0.
 std::vector<NdtCell> CellsFromMessage(const std::string& owner, const ndt_cells_t& message);
-/// Every mean is near the camera, so that grids over the cells stay small.
+/// Every mean is near the camera, as the mapping leaves them.
 void CheckNearCamera(const std::string& owner, const std::vector<NdtCell>& cells,
                      const Eigen::Isometry3d& T_map_camera);
 

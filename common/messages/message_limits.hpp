@@ -17,9 +17,11 @@ inline constexpr std::size_t kMaxTextBytes = 65536;  ///< descriptions
 inline constexpr int kMaxImageSide = 8192;           ///< [px], CameraIntrinsics
 /// Coordinates [m]: at the smallest cell size still whole numbers of cells in an int32.
 inline constexpr double kMaxCoordinate_m = 1e6;
-/// Cells of a local map lie this near the camera along each axis [m]: no depth camera sees farther,
-/// and grids over them stay small.
-inline constexpr double kMaxLocalDistance_m = 100;
+/// Cells of a local map lie this near the camera along each axis [m]: twice NdtConfig's largest
+/// extent.
+inline constexpr double kMaxLocalDistance_m = 2000;
+/// A camera is mounted this near the origin of its robot along each axis [m].
+inline constexpr double kMaxMounting_m = 100;
 inline constexpr double kMinCellSize_m = 1e-3;
 inline constexpr double kMaxCellSize_m = 10;
 inline constexpr std::int64_t kMaxObjects = 4096;  ///< labelled objects, hypotheses, in one frame
