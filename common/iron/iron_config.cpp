@@ -10,7 +10,7 @@ namespace fallen {
 namespace {
 
 // More bins than this along one axis leave hardly a neighbour per bin.
-constexpr int kMaxBins = 64;
+constexpr int kMaxBins = 32;
 
 void Require(bool holds, const char* name, double value, const char* expected) {
   if (holds) return;
@@ -24,8 +24,8 @@ void IronConfig::Validate() const {
   Require(std::isfinite(radius_m) && radius_m > 0 && radius_m <= 100, "radius_m", radius_m,
           "in (0, 100]");
   Require(distance_bins >= 1 && distance_bins <= kMaxBins, "distance_bins", distance_bins,
-          "in [1, 64]");
-  Require(angle_bins >= 1 && angle_bins <= kMaxBins, "angle_bins", angle_bins, "in [1, 64]");
+          "in [1, 32]");
+  Require(angle_bins >= 1 && angle_bins <= kMaxBins, "angle_bins", angle_bins, "in [1, 32]");
   Require(max_ball_ratio >= 0 && max_ball_ratio <= 1, "max_ball_ratio", max_ball_ratio,
           "in [0, 1]");
   Require(min_needle_ratio >= 0 && min_needle_ratio <= 1, "min_needle_ratio", min_needle_ratio,

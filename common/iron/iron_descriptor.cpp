@@ -17,12 +17,6 @@ namespace {
 
 // Grid buckets of half the radius: few buckets to visit, few points visited in vain.
 constexpr double kBucketsPerRadius = 2;
-// Pairs whose bins are computed at a time: the codes stay in the first-level cache.
-constexpr int kChunk = 512;
-// Neighbours on one wall fall into one bin, and each count would wait for the one before: as many
-// copies of the histograms, in turn.
-constexpr int kLanes = 4;
-
 // The usable cells, in grid order and coordinate by coordinate.
 class UsableCells {
  public:
@@ -59,7 +53,7 @@ class UsableCells {
               std::span<const CellNormal> normals, const IronConfig& config)
       : selected_(std::move(selected)),
         grid_(Means(cells, selected_), static_cast<float>(config.radius_m / kBucketsPerRadius)) {
-    for (auto& coordinate : coordinates_) coordinate.resize(selected_.size());
+    for (auto& coordinate : coordinates_) coordinate.resize(selected_.size() + kPairPadding);
     for (std::size_t k = 0; k < selected_.size(); ++k) {
       const std::int32_t i = cell_index(static_cast<std::int32_t>(k));
       for (int axis = 0; axis < 3; ++axis) {
@@ -85,68 +79,84 @@ std::vector<int> CosineEdges(int columns) {
   return edges;
 }
 
-// Counts of both histograms of one cell.
-class PairHistograms {
+// Counts of one cell's neighbours, in both histograms at once: one count a neighbour.
+class PairHistogram {
  public:
-  explicit PairHistograms(const IronConfig& config)
-      : rows_(config.distance_bins), columns_(config.angle_bins), bins_(rows_ * columns_ + 1) {
-    for (auto& lane : lanes_) lane.resize(2 * bins_);
-  }
+  explicit PairHistogram(const PairBinning& binning)
+      : rows_(binning.rows),
+        columns_(binning.columns),
+        bins_(JointBins(binning)),
+        stride_(bins_ + 1),  // one more, for pairs beyond the radius
+        counts_(static_cast<std::size_t>(kLanes) * stride_) {}
 
-  void Clear() {
-    for (auto& lane : lanes_) std::fill(lane.begin(), lane.end(), 0);
-  }
+  void Clear() { std::fill(counts_.begin(), counts_.end(), 0u); }
 
   void Count(const std::uint32_t* codes, int count) {
+    std::uint32_t* const lane0 = counts_.data();
+    std::uint32_t* const lane1 = lane0 + stride_;
+    std::uint32_t* const lane2 = lane1 + stride_;
+    std::uint32_t* const lane3 = lane2 + stride_;
     int i = 0;
-    for (; i + kLanes <= count; i += kLanes)
-      for (int lane = 0; lane < kLanes; ++lane) CountOne(lanes_[lane].data(), codes[i + lane], 1);
-    for (; i < count; ++i) CountOne(lanes_[0].data(), codes[i], 1);
+    for (; i + kLanes <= count; i += kLanes) {
+      ++lane0[codes[i]];
+      ++lane1[codes[i + 1]];
+      ++lane2[codes[i + 2]];
+      ++lane3[codes[i + 3]];
+    }
+    for (; i < count; ++i) ++lane0[codes[i]];
   }
 
-  void Remove(std::uint32_t code) { CountOne(lanes_[0].data(), code, -1); }
+  void Remove(std::uint32_t code) { --counts_[code]; }  // modulo 2^32 until the lanes are summed
 
   /// Writes both histograms, each non-empty row with the same share of 1.
+  /// @param values  2 * rows * columns zeros.
   /// @return The number of neighbours, or 0 (and nothing is written) if there are too few.
   std::int32_t Normalize(int min_neighbors, float* values) {
-    std::vector<std::int32_t>& total = lanes_[0];
-    for (int lane = 1; lane < kLanes; ++lane)
-      for (std::size_t k = 0; k < total.size(); ++k) total[k] += lanes_[lane][k];
-
-    std::int32_t neighbors = 0;
-    int nonempty_rows = 0;
+    SumLanes(counts_.data(), kLanes, stride_, bins_);
+    std::array<std::uint32_t, kMaxBins> in_row{};
+    const int bins_in_row = columns_ * columns_;
+    for (int row = 0; row < rows_; ++row)
+      for (int k = 0; k < bins_in_row; ++k) in_row[row] += counts_[row * bins_in_row + k];
+    std::uint32_t neighbors = 0;
+    std::uint32_t nonempty_rows = 0;
     for (int row = 0; row < rows_; ++row) {
-      const std::int32_t in_row = RowCount(row);
-      neighbors += in_row;
-      nonempty_rows += in_row > 0 ? 1 : 0;
+      neighbors += in_row[row];
+      nonempty_rows += in_row[row] > 0 ? 1 : 0;
     }
-    if (neighbors < min_neighbors) return 0;
-    for (int row = 0; row < rows_; ++row) {
-      const std::int32_t in_row = RowCount(row);
-      if (in_row == 0) continue;
-      const float share = 1.0f / static_cast<float>(in_row * nonempty_rows);
-      for (int k = row * columns_; k < (row + 1) * columns_; ++k) {
-        values[k] = static_cast<float>(total[k]) * share;
-        values[rows_ * columns_ + k] = static_cast<float>(total[bins_ + k]) * share;
-      }
-    }
-    return neighbors;
+    if (neighbors < static_cast<std::uint32_t>(min_neighbors)) return 0;
+    for (int row = 0; row < rows_; ++row)
+      if (in_row[row] > 0)
+        WriteRow(row, 1.0f / static_cast<float>(in_row[row] * nonempty_rows), values);
+    return static_cast<std::int32_t>(neighbors);
   }
 
  private:
-  void CountOne(std::int32_t* lane, std::uint32_t code, std::int32_t amount) const {
-    lane[code & 0xffff] += amount;
-    lane[bins_ + (code >> 16)] += amount;
-  }
-  std::int32_t RowCount(int row) const {
-    std::int32_t sum = 0;
-    for (int k = row * columns_; k < (row + 1) * columns_; ++k) sum += lanes_[0][k];
-    return sum;
+  // As many copies of the counts, in turn: neighbours on one wall fall into one bin, and each count
+  // would wait for the one before.
+  static constexpr int kLanes = 4;
+  static constexpr int kMaxBins = 32;
+
+  void WriteRow(int row, float share, float* values) const {
+    const std::uint32_t* counts =
+        counts_.data() + static_cast<std::ptrdiff_t>(row) * columns_ * columns_;
+    float* const of_normals = values + row * columns_;
+    float* const of_lines = values + (rows_ + row) * columns_;
+    std::array<std::uint32_t, kMaxBins> lines{};
+    for (int column1 = 0; column1 < columns_; ++column1) {
+      std::uint32_t normals = 0;
+      for (int column2 = 0; column2 < columns_; ++column2) {
+        const std::uint32_t count = counts[column1 * columns_ + column2];
+        normals += count;
+        lines[column2] += count;
+      }
+      of_normals[column1] = static_cast<float>(normals) * share;
+    }
+    for (int column2 = 0; column2 < columns_; ++column2)
+      of_lines[column2] = static_cast<float>(lines[column2]) * share;
   }
 
-  int rows_, columns_;
-  int bins_;  // of one histogram, with one more for pairs beyond the radius
-  std::array<std::vector<std::int32_t>, kLanes> lanes_;
+  int rows_, columns_, bins_, stride_;
+  std::vector<std::uint32_t> counts_;
 };
 
 void RequireSize(const char* what, std::size_t got, std::size_t expected) {
@@ -177,26 +187,24 @@ IronDescriptors ComputeIronDescriptors(std::span<const NdtCell> cells,
   const PairBinning binning = {radius * radius,
                                static_cast<float>(config.distance_bins) / (radius * radius),
                                config.distance_bins, config.angle_bins, cosine_edges.data()};
-  PairHistograms histograms(config);
-  std::array<std::uint32_t, kChunk> codes;
-
+  PairHistogram histogram(binning);
   const auto usable_count = static_cast<std::int32_t>(usable.grid().size());
+  std::vector<CellRun> runs;
+  std::vector<std::uint32_t> codes(usable_count + kPairPadding);
   for (std::int32_t base = 0; base < usable_count; ++base) {
     const std::int32_t cell = usable.cell_index(base);
     if (!wanted.empty() && wanted[cell] == 0) continue;
-    histograms.Clear();
-    const auto count_run = [&](std::int32_t begin, std::int32_t end) {
-      for (std::int32_t from = begin; from < end; from += kChunk) {
-        const std::int32_t to = std::min(end, from + kChunk);
-        ComputePairCodes(arrays, base, from, to, binning, codes.data());
-        histograms.Count(codes.data(), to - from);
-      }
-    };
-    usable.grid().ForEachRun(cells[cell].mean, radius, count_run);
-    ComputePairCodes(arrays, base, base, base + 1, binning, codes.data());
-    histograms.Remove(codes[0]);  // nobody is its own neighbour
+    runs.clear();
+    usable.grid().ForEachRun(cells[cell].mean, radius, [&](std::int32_t begin, std::int32_t end) {
+      runs.push_back({begin, end});
+    });
+    histogram.Clear();
+    histogram.Count(codes.data(), ComputePairCodes(arrays, base, runs, binning, codes.data()));
+    const CellRun itself = {base, base + 1};
+    ComputePairCodes(arrays, base, {&itself, 1}, binning, codes.data());
+    histogram.Remove(codes[0]);  // nobody is its own neighbour
     result.neighbor_counts[cell] =
-        histograms.Normalize(config.min_neighbors, result.values.row(cell).data());
+        histogram.Normalize(config.min_neighbors, result.values.row(cell).data());
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -48,15 +49,21 @@ class NeighborGrid {
     const Eigen::Vector3i high = Bucket(query.array() + reach);
     const Eigen::Vector3i center = Bucket(query.array());
     const float sq_reach = reach.maxCoeff() * reach.maxCoeff();
+    const float slack_x = reach.x() - radius_m;
     for (int z = low.z(); z <= high.z(); ++z) {
       const float dz = Gap(z, center.z(), query.z(), origin_.z());
       for (int y = low.y(); y <= high.y(); ++y) {
         const float dy = Gap(y, center.y(), query.y(), origin_.y());
-        if (dy * dy + dz * dz > sq_reach) continue;
-        // Buckets of one row are neighbours in memory: one run of points for the whole row.
+        const float sq_left = sq_reach - (dy * dy + dz * dz);
+        if (sq_left < 0) continue;
+        // Buckets of one row are neighbours in memory: one run of points for the whole row, as far
+        // as the sphere reaches along it.
+        const float reach_x = std::sqrt(sq_left) + slack_x;
+        const int low_x = BucketX(query.x() - reach_x);
+        const int high_x = BucketX(query.x() + reach_x);
         const std::int32_t row = (z * size_.y() + y) * size_.x();
-        const std::int32_t begin = bucket_begin_[row + low.x()];
-        const std::int32_t end = bucket_begin_[row + high.x() + 1];
+        const std::int32_t begin = bucket_begin_[row + low_x];
+        const std::int32_t end = bucket_begin_[row + high_x + 1];
         if (begin < end) visit(begin, end);
       }
     }
@@ -71,6 +78,11 @@ class NeighborGrid {
   Eigen::Vector3i Bucket(const Eigen::Array3f& p) const {  // clamped to the grid
     const Eigen::Array3f scaled = ((p - origin_) * inverse_bucket_).floor();
     return scaled.max(0.0f).min(last_).cast<int>();
+  }
+
+  int BucketX(float x) const {
+    const float scaled = std::floor((x - origin_.x()) * inverse_bucket_);
+    return static_cast<int>(std::min(std::max(scaled, 0.0f), last_.x()));
   }
 
   // At most the distance along one axis from the query to the points of bucket `index` [m].

@@ -274,7 +274,7 @@ TEST(IronDescriptor, RefusesSizesAndSettingsThatMakeNoSense) {
   expect_refused([](IronConfig& c) { c.radius_m = 0; });
   expect_refused([](IronConfig& c) { c.radius_m = std::nan(""); });
   expect_refused([](IronConfig& c) { c.distance_bins = 0; });
-  expect_refused([](IronConfig& c) { c.angle_bins = 65; });
+  expect_refused([](IronConfig& c) { c.angle_bins = 33; });
   expect_refused([](IronConfig& c) { c.max_ball_ratio = 1.5; });
   expect_refused([](IronConfig& c) { c.min_needle_ratio = -0.1; });
   expect_refused([](IronConfig& c) { c.min_neighbors = 0; });
