@@ -61,6 +61,19 @@ double DepthAt(const DepthImage& image, const Pixel& pixel) {
          image.depth_unit_m;
 }
 
+// Depth at which the ray of a pixel ended, 0 if unknown: the nearest of the pixel and its four
+// neighbours. A sensor's depth is that of somewhere within a pixel, so beside an edge a single
+// pixel may tell what is behind it.
+double NearestEnd(const DepthImage& image, const Pixel& pixel) {
+  double nearest_m = DepthAt(image, pixel);
+  if (nearest_m <= 0) return 0;
+  for (const Pixel& step : {Pixel{-1, 0}, Pixel{1, 0}, Pixel{0, -1}, Pixel{0, 1}}) {
+    const double beside_m = DepthAt(image, {pixel.u + step.u, pixel.v + step.v});
+    if (beside_m > 0) nearest_m = std::min(nearest_m, beside_m);
+  }
+  return nearest_m;
+}
+
 SymmetricMatrix3 Inverse(const SymmetricMatrix3& m) {
   const double c0 = m[3] * m[5] - m[4] * m[4];
   const double c1 = m[2] * m[4] - m[1] * m[5];
@@ -131,19 +144,15 @@ double CountRaysThrough(const DepthImage& image, const Eigen::Vector3d& mean,
                                                     {center.u + spread_u, center.v},
                                                     {center.u, center.v - spread_v},
                                                     {center.u, center.v + spread_v}}};
-  std::array<double, kRaysPerVoxel> ends_m;
   double farthest_m = 0;
-  for (int i = 0; i < kRaysPerVoxel; ++i) {
-    ends_m[i] = DepthAt(image, pixels[i]);
-    farthest_m = std::max(farthest_m, ends_m[i]);
-  }
+  for (const Pixel& pixel : pixels) farthest_m = std::max(farthest_m, DepthAt(image, pixel));
   if (farthest_m <= mean.z()) return 0;  // hidden, or in front of everything: most voxels end here
 
   const SeenGaussian gaussian(mean, covariance, mean.z() / std::min(camera.fx, camera.fy));
   double rays = 0;
-  for (int i = 0; i < kRaysPerVoxel; ++i) {
-    if (ends_m[i] <= 0) continue;
-    rays += gaussian.WeightOfRay(camera.Deproject(pixels[i].u, pixels[i].v, 1), ends_m[i]);
+  for (const Pixel& pixel : pixels) {
+    const double end_m = NearestEnd(image, pixel);
+    if (end_m > 0) rays += gaussian.WeightOfRay(camera.Deproject(pixel.u, pixel.v, 1), end_m);
   }
   return rays;
 }

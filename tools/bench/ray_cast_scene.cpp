@@ -41,10 +41,11 @@ void IntersectEllipsoid(const SceneEllipsoid& ellipsoid, const Eigen::Vector3d& 
   KeepNearer(nearest, (-b - std::sqrt(discriminant)) / a);
 }
 
-double AddNoise(double z_m, double focal_length, std::mt19937& generator) {
+double NoisyDepth(double z_m, double focal_length, std::normal_distribution<double>& gaussian,
+                  std::mt19937& generator) {
   const double beyond = z_m - 0.4;
   const double sigma = 0.0012 + 0.0019 * beyond * beyond;
-  const double noisy = z_m + sigma * std::normal_distribution<double>()(generator);
+  const double noisy = z_m + sigma * gaussian(generator);
   const double disparity = focal_length * kBaseline_m / std::max(noisy, 0.1);
   const double steps = std::round(disparity * kDisparityStepsPerPixel);
   return focal_length * kBaseline_m * kDisparityStepsPerPixel / steps;
@@ -63,7 +64,7 @@ std::optional<double> RayCastScene::Intersect(const Eigen::Vector3d& origin,
 }
 
 DepthImage RenderDepth(const RayCastScene& scene, const CameraIntrinsics& intrinsics,
-                       const Eigen::Isometry3d& T_world_camera, std::mt19937* noise) {
+                       const Eigen::Isometry3d& T_world_camera) {
   DepthImage image;
   image.intrinsics = intrinsics;
   image.depth_unit_m = 0.001;
@@ -73,10 +74,20 @@ DepthImage RenderDepth(const RayCastScene& scene, const CameraIntrinsics& intrin
       const Eigen::Vector3d direction = T_world_camera.linear() * intrinsics.Deproject(u, v, 1);
       const auto z_m = scene.Intersect(T_world_camera.translation(), direction);
       if (!z_m || *z_m > 10) continue;
-      const double measured_m = noise ? AddNoise(*z_m, intrinsics.fx, *noise) : *z_m;
       image.depth[static_cast<std::size_t>(v) * intrinsics.width + u] =
-          static_cast<std::uint16_t>(std::lround(measured_m / image.depth_unit_m));
+          static_cast<std::uint16_t>(std::lround(*z_m / image.depth_unit_m));
     }
+  return image;
+}
+
+DepthImage WithSensorNoise(DepthImage image, std::mt19937& generator) {
+  std::normal_distribution<double> gaussian;
+  for (std::uint16_t& depth : image.depth) {
+    if (depth == 0) continue;
+    const double z_m =
+        NoisyDepth(depth * image.depth_unit_m, image.intrinsics.fx, gaussian, generator);
+    depth = static_cast<std::uint16_t>(std::lround(z_m / image.depth_unit_m));
+  }
   return image;
 }
 

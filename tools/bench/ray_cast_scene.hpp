@@ -34,11 +34,13 @@ struct RayCastScene {
                                   const Eigen::Vector3d& direction) const;
 };
 
-/// Depth image of the scene in millimetres.
-/// @param noise  If given, adds PrimeSense-like axial noise (Nguyen 2012) and quantises the
-///               disparity to 1/8 pixel (baseline 75 mm).
+/// Depth image of the scene in millimetres, without noise.
 DepthImage RenderDepth(const RayCastScene& scene, const CameraIntrinsics& intrinsics,
-                       const Eigen::Isometry3d& T_world_camera, std::mt19937* noise = nullptr);
+                       const Eigen::Isometry3d& T_world_camera);
+
+/// The image as a PrimeSense-type sensor would have taken it: axial noise (Nguyen 2012), then
+/// disparity in steps of 1/8 pixel at a baseline of 75 mm.
+DepthImage WithSensorNoise(DepthImage image, std::mt19937& generator);
 
 /// Pinhole camera with the field of view of PrimeSense-type sensors (f = 575 at 640 x 480).
 CameraIntrinsics PrimeSenseIntrinsics(int width, int height);

@@ -126,7 +126,7 @@ TEST(NdtMapper, OneFrameEqualsBatchStatistics) {
   const Eigen::Isometry3d pose = LookingDown({0.1, 0.2, 1.0}, 0.3, 0.4);
   std::mt19937 noise(1);
   const DepthImage image =
-      RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(640, 480), pose, &noise);
+      WithSensorNoise(RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(640, 480), pose), noise);
   NdtConfig config;
   config.max_points_per_cell = 1000000;
   Batch batch(config);
@@ -140,7 +140,7 @@ TEST(NdtMapper, OneFrameEqualsBatchStatisticsFarFromTheOrigin) {
   const Eigen::Isometry3d pose = LookingDown({0, 0, 1.0}, -0.2, 0.5);
   std::mt19937 noise(2);
   const DepthImage image =
-      RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(320, 240), pose, &noise);
+      WithSensorNoise(RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(320, 240), pose), noise);
   Eigen::Isometry3d far_pose = pose;
   far_pose.translation() += origin;
   NdtConfig config;
@@ -163,7 +163,7 @@ TEST(NdtMapper, AccumulationOverPosesEqualsBatchStatistics) {
   for (int i = 0; i < 6; ++i) {
     const Eigen::Isometry3d pose = LookingDown({0.05 * i, -0.03 * i, 1.0}, 0.04 * i, 0.4);
     const DepthImage image =
-        RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(320, 240), pose, &noise);
+        WithSensorNoise(RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(320, 240), pose), noise);
     batch.Add(image, pose, 0);
     map = mapper.Update(100000 * i, image, pose, FloorSeenFrom(pose));
   }
@@ -180,7 +180,7 @@ TEST(NdtMapper, GivesTheSameBitsForTheSameSequence) {
   for (int i = 0; i < 5; ++i) {
     const Eigen::Isometry3d pose = LookingDown({0.1 * i, 0, 1.0}, 0.1 * i, 0.4);
     const DepthImage image =
-        RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(160, 120), pose, &noise);
+        WithSensorNoise(RenderDepth(RoomWithPerson(), PrimeSenseIntrinsics(160, 120), pose), noise);
     const NdtMap a = first.Update(100000 * i, image, pose, FloorSeenFrom(pose));
     const NdtMap b = second.Update(100000 * i, image, pose, FloorSeenFrom(pose));
     ASSERT_FALSE(a.cells.empty());
@@ -193,10 +193,10 @@ TEST(NdtMapper, TakesTheFloorAwayButNotThePerson) {
   const Eigen::Isometry3d pose = LookingDown({0, 0, 1.0}, 0, 0.5);
   std::mt19937 noise(2);
   const CameraIntrinsics camera = PrimeSenseIntrinsics(640, 480);
-  const DepthImage floor_only = RenderDepth(scene, camera, pose, &noise);
+  const DepthImage floor_only = WithSensorNoise(RenderDepth(scene, camera, pose), noise);
   EXPECT_TRUE(NdtMapper().Update(0, floor_only, pose, FloorSeenFrom(pose)).cells.empty());
   scene.ellipsoids = LyingPerson({2, 0, 0}, 1.2);
-  const DepthImage with_person = RenderDepth(scene, camera, pose, &noise);
+  const DepthImage with_person = WithSensorNoise(RenderDepth(scene, camera, pose), noise);
   const NdtMap map = NdtMapper().Update(0, with_person, pose, FloorSeenFrom(pose));
   EXPECT_GT(map.cells.size(), 150u);
   for (const NdtCell& cell : map.cells)
@@ -404,7 +404,7 @@ TEST(NdtMapper, DropsFloorThatCameInWhileNoFloorWasKnown) {
   const Eigen::Isometry3d pose = LookingDown({0, 0, 1.0}, 0, 0.5);
   std::mt19937 noise(3);
   const DepthImage floor =
-      RenderDepth(RayCastScene(), PrimeSenseIntrinsics(320, 240), pose, &noise);
+      WithSensorNoise(RenderDepth(RayCastScene(), PrimeSenseIntrinsics(320, 240), pose), noise);
   NdtMapper mapper;
   EXPECT_FALSE(mapper.Update(0, floor, pose, kNoGround).cells.empty());
   EXPECT_TRUE(mapper.Update(100000, floor, pose, FloorSeenFrom(pose)).cells.empty());

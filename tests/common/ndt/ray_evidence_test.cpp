@@ -62,6 +62,13 @@ TEST(RayEvidence, RaysThatMissTheGaussianDoNotCount) {
 
 TEST(RayEvidence, PixelsWithoutDepthDoNotCount) { EXPECT_EQ(RaysThrough(0, kFacing), 0); }
 
+TEST(RayEvidence, PixelsBesideSomethingNearerDoNotCount) {
+  DepthImage image = FlatImage(4);
+  for (int u = 0; u < 640; ++u) image.depth[241 * 640 + u] = 2000;  // below the row of the mean
+  // Rows 240 and 241 + 2 touch it; of the five rays, those at rows 237 and 243 are free of it.
+  EXPECT_NEAR(CountRaysThrough(image, kMean, kFacing, kCellSize), 2 * 0.76, 0.05);
+}
+
 TEST(RayEvidence, OutsideTheImageThereIsNone) {
   const DepthImage image = FlatImage(4);
   EXPECT_EQ(CountRaysThrough(image, {5, 0, 2}, kFacing, kCellSize), 0);
