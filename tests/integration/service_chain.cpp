@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/integration/service_chain.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace fallen::testing_support {
+namespace {
+
+using std::chrono::seconds;
+
+// Generous: the machine may be busy with other tests.
+constexpr seconds kStartTimeout{30};
+constexpr seconds kResultTimeout{30};
+constexpr seconds kPlayTimeout{120};
+
+}  // namespace
+
+TestFolder::TestFolder() {
+  static int count = 0;
+  path_ = std::filesystem::path(testing::TempDir()) /
+          ("fallen_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+  std::filesystem::create_directories(path_);
+}
+
+TestFolder::~TestFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+ServiceChain::ServiceChain(const std::filesystem::path& model)
+    : url_(EnterPrivateNetwork()), model_(model), recorder_(url_) {}
+
+void ServiceChain::Start(const Stage& stage, const std::vector<std::string>& more_arguments) {
+  std::vector<std::string> command{Program("fallen-" + stage.service), "--lossless", "--lcm-url",
+                                   url_};
+  if (stage.needs_model) command.insert(command.end(), {"--model", model_.string()});
+  command.insert(command.end(), more_arguments.begin(), more_arguments.end());
+  const auto started =
+      processes_.emplace(stage.service, ChildProcess(command, folder_.path())).first;
+  // Its own, not the last of one before it.
+  const bool is_up = recorder_.HandleUntil(
+      [&] { return recorder_.Status(stage.service).pid == started->second.pid(); }, kStartTimeout);
+  EXPECT_TRUE(is_up) << stage.service << ": " << process(stage.service).StandardError();
+}
+
+void ServiceChain::StartAll() {
+  for (const Stage& stage : kStages) Start(stage);
+}
+
+void ServiceChain::Play(const std::filesystem::path& log, const std::string& channels) {
+  ChildProcess player({"lcm-logplayer", "--lcm-url=" + url_, "-e", channels, log.string()},
+                      folder_.path());
+  std::optional<int> exit_status;
+  const bool has_ended = recorder_.HandleUntil(
+      [&] { return (exit_status = player.WaitForExit(std::chrono::milliseconds(0))).has_value(); },
+      kPlayTimeout);
+  EXPECT_TRUE(has_ended);
+  EXPECT_EQ(exit_status, 0) << player.StandardError();
+}
+
+bool ServiceChain::WaitForMessages(const std::string& channel, std::size_t count) {
+  return recorder_.HandleUntil([&] { return recorder_.Count(channel) >= count; }, kResultTimeout);
+}
+
+void ServiceChain::StopAll() {
+  for (const Stage& stage : kStages) {
+    const auto found = processes_.find(stage.service);
+    if (found == processes_.end()) continue;
+    EXPECT_EQ(found->second.Stop(), 0) << stage.service << ": " << found->second.StandardError();
+  }
+  processes_.clear();
+}
+
+}  // namespace fallen::testing_support

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fallen/detection/model.hpp"
+#include "tests/integration/child_process.hpp"
+#include "tests/integration/lcm_recorder.hpp"
+#include "tests/integration/private_network.hpp"
+#include "tests/support/stages.hpp"
+
+namespace fallen::testing_support {
+
+/// A folder that goes with the test.
+class TestFolder {
+ public:
+  TestFolder();
+  ~TestFolder();
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Services of ours as separate processes on a private network, and somebody who listens.
+class ServiceChain {
+ public:
+  /// @param model  File for the stages that need one.
+  explicit ServiceChain(const std::filesystem::path& model);
+
+  /// Starts a service, lossless, and waits for its first status.
+  void Start(const Stage& stage, const std::vector<std::string>& more_arguments = {});
+  void StartAll();
+
+  /// Plays a log at its own speed with lcm-logplayer while listening.
+  /// @param channels  Regular expression of the channels to play.
+  void Play(const std::filesystem::path& log, const std::string& channels);
+
+  /// Listens until `channel` has had so many messages.
+  bool WaitForMessages(const std::string& channel, std::size_t count);
+
+  /// SIGTERM to all, in order, so that each still hears the one before. Expects exit status 0 of
+  /// each.
+  void StopAll();
+
+  const std::string& url() const { return url_; }
+  LcmRecorder& recorder() { return recorder_; }
+  ChildProcess& process(const std::string& service) { return processes_.at(service); }
+  void Forget(const std::string& service) { processes_.erase(service); }
+  const TestFolder& folder() const { return folder_; }
+
+ private:
+  const std::string url_;
+  std::filesystem::path model_;
+  TestFolder folder_;
+  LcmRecorder recorder_;
+  std::map<std::string, ChildProcess> processes_;
+};
+
+}  // namespace fallen::testing_support
