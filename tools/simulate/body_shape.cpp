@@ -165,7 +165,7 @@ BodyShape DrawBodyShape(int id) {
   shape.top_thickness_m = random.Uniform(0.004, 0.022);
   shape.legs_thickness_m = random.Uniform(0.004, 0.018);
   shape.shoe_thickness_m = random.Chance(0.5) ? random.Uniform(0.006, 0.012) : 0.002;
-  shape.skirt = shape.female && random.Chance(0.3);
+  shape.skirt = shape.female && random.Chance(0.12);  // ankle-long: MakeHuman's helper
   shape.long_hair = random.Chance(shape.female ? 0.6 : 0.05);
   shape.top_albedo = random.Uniform(0.12, 0.9);
   shape.legs_albedo = random.Uniform(0.10, 0.8);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tools/simulate/persons.hpp"
+#include "tools/simulate/resting_person.hpp"
 #include "tools/simulate/smooth_noise.hpp"
 
 namespace fallen::sim {
@@ -78,7 +79,8 @@ const std::vector<std::string>& DistractorKinds() {
                                                  "vacuum_cleaner",
                                                  "rollator",
                                                  "standing_person",
-                                                 "sitting_person"};
+                                                 "sitting_person",
+                                                 kResting};
   return kinds;
 }
 

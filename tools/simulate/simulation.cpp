@@ -9,6 +9,7 @@
 
 #include "tools/simulate/distractors.hpp"
 #include "tools/simulate/persons.hpp"
+#include "tools/simulate/resting_person.hpp"
 #include "tools/simulate/room_layout.hpp"
 
 namespace fallen::sim {
@@ -134,8 +135,15 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
   const auto seed = static_cast<std::uint64_t>(scenario_.seed);
   for (std::size_t i = 0; i < scenario_.distractors.size(); ++i) {
     Random random = Random::Stream(seed, "distractor-" + std::to_string(i));
-    Distractor distractor = MakeDistractor(scenario_.distractors[i], assets.furniture,
-                                           assets.humans, scenario_.furniture_pool, random);
+    const std::string& kind = scenario_.distractors[i];
+    if (kind == kResting) {
+      auto resting = MakeRestingPerson(assets.humans, scene_, random);
+      if (!resting) continue;  // neither bed nor sofa here
+      scene_.objects.push_back(std::move(*resting));
+      continue;
+    }
+    Distractor distractor =
+        MakeDistractor(kind, assets.furniture, assets.humans, scenario_.furniture_pool, random);
     const Placement placement = random.Chance(0.3) ? Placement::kTouching : Placement::kFree;
     const auto place = PlaceOnFloor(distractor.mesh, placement, std::nullopt, grid, scene_, random);
     if (!place) continue;  // a full room stays as it is
@@ -155,7 +163,7 @@ Frame Simulation::TakeFrame(int index) const {
   frame.told_pose = told_path_[i];
   SensorConfig sensor;
   sensor.noise = scenario_.noise;
-  const std::uint64_t seed = MixBits(static_cast<std::uint64_t>(scenario_.seed)) + i;
+  const std::uint64_t seed = MixBits(MixBits(static_cast<std::uint64_t>(scenario_.seed)) + i);
   frame.image = TakePicture(*caster_, SensorIntrinsics(scenario_.width),
                             ToTransform(frame.true_pose) * true_T_robot_camera_, sensor, seed);
   return frame;
