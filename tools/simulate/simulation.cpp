@@ -84,11 +84,7 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   if (scenario.person) AddPerson(assets, grid);
   AddDistractors(assets, grid);
 
-  std::optional<Eigen::Vector2d> target;
-  if (person_)
-    target = scene_.objects[*person_].box.center.head<2>();
-  else if (!scene_.objects.empty() && scene_.objects.back().category != kFurniture)
-    target = scene_.objects.back().box.center.head<2>();
+  const std::optional<Eigen::Vector2d> target = DrawTarget(Random::Stream(seed, "target"));
   PathConfig path;
   path.frames = scenario.frames;
   path.rate_hz = scenario.rate_hz;
@@ -153,6 +149,15 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
     grid.Add(object.mesh);
     scene_.objects.push_back(std::move(object));
   }
+}
+
+std::optional<Eigen::Vector2d> Simulation::DrawTarget(Random random) const {
+  if (person_) return scene_.objects[*person_].box.center.head<2>();
+  std::vector<const SceneObject*> candidates;
+  for (const SceneObject& object : scene_.objects)
+    if (object.category != kFurniture) candidates.push_back(&object);
+  if (candidates.empty()) return std::nullopt;
+  return random.Pick(candidates)->box.center.head<2>();
 }
 
 Frame Simulation::TakeFrame(int index) const {

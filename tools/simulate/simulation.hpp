@@ -60,6 +60,9 @@ class Simulation {
   void AddPerson(const Assets& assets, ColumnGrid& grid);
   void AddDistractors(const Assets& assets, ColumnGrid& grid);
 
+  /// What the robot is to look at: the person, else one of the distractors.
+  std::optional<Eigen::Vector2d> DrawTarget(Random random) const;
+
   Scenario scenario_;
   Scene scene_;
   std::optional<std::size_t> person_;
