@@ -18,31 +18,50 @@ constexpr int kMaxColumns = 32;
 // In place of the squared distance of equal means, so that nothing is divided by zero.
 constexpr float kLeastSquare = std::numeric_limits<float>::min();
 
-// Eight pairs at a time, in the vector extensions of GCC and Clang: two registers without AVX, one
-// with it, and the same operations on each number.
-constexpr int kLanes = kPairPadding;
-using Floats = float __attribute__((vector_size(4 * kLanes)));
-using Ints = std::int32_t __attribute__((vector_size(4 * kLanes)));
+// Pairs at a time, in the vector extensions of GCC and Clang: as many as a register holds, and the
+// same operations on each number.
+constexpr int kPortableLanes = 4;
+constexpr int kAvx2Lanes = 8;
+static_assert(kPairPadding >= kAvx2Lanes);
 
+template <int kLanes>
+struct Vector;
+template <>
+struct Vector<kPortableLanes> {
+  using Floats = float __attribute__((vector_size(16)));
+  using Ints = std::int32_t __attribute__((vector_size(16)));
+};
+template <>
+struct Vector<kAvx2Lanes> {
+  using Floats = float __attribute__((vector_size(32)));
+  using Ints = std::int32_t __attribute__((vector_size(32)));
+};
+
+template <class Floats>
 [[gnu::always_inline]] inline void Load(Floats& vector, const float* from) {
   std::memcpy(&vector, from, sizeof(vector));
 }
 
+template <class Floats>
 [[gnu::always_inline]] inline void TakeRoots(Floats& values) {
-  for (int lane = 0; lane < kLanes; ++lane) values[lane] = std::sqrt(values[lane]);
+  for (std::size_t lane = 0; lane < sizeof(values) / sizeof(float); ++lane)
+    values[lane] = std::sqrt(values[lane]);
 }
 
 // Cosines in whole steps, their sign dropped after rounding down.
+template <class Floats, class Ints>
 [[gnu::always_inline]] inline void CountSteps(const Floats& cosine, Ints& steps) {
   const Floats above_minus_one = (cosine + 1.0f) * static_cast<float>(kCosineSteps);
   steps = __builtin_convertvector(above_minus_one, Ints) - kCosineSteps;
   steps = steps < 0 ? -steps : steps;
 }
 
-template <int kColumns>
+template <int kLanes, int kColumns>
 [[gnu::always_inline]] inline int CodesOfRuns(const CellArrays& cells, int base,
                                               std::span<const CellRun> runs,
                                               const PairBinning& binning, std::uint32_t* codes) {
+  using Floats = typename Vector<kLanes>::Floats;
+  using Ints = typename Vector<kLanes>::Ints;
   const int columns = kColumns > 0 ? kColumns : binning.columns;
   const int rows = binning.rows;
   const int beyond = JointBins(binning);
@@ -51,7 +70,8 @@ template <int kColumns>
   const float nx = cells.normal_x[base], ny = cells.normal_y[base], nz = cells.normal_z[base];
   std::array<int, kMaxColumns> above_edges;
   for (int k = 0; k < columns - 1; ++k) above_edges[k] = binning.cosine_edges[k] + 1;
-  const Ints lane_number = {0, 1, 2, 3, 4, 5, 6, 7};
+  Ints lane_number;
+  for (int lane = 0; lane < kLanes; ++lane) lane_number[lane] = lane;
   std::uint32_t* next = codes;
   for (const CellRun& run : runs) {
     for (int j = run.begin; j < run.end; j += kLanes) {
@@ -97,8 +117,8 @@ template <int kColumns>
 int CodesPortable(const CellArrays& cells, int base, std::span<const CellRun> runs,
                   const PairBinning& binning, std::uint32_t* codes) {
   if (binning.columns == kPaperColumns)
-    return CodesOfRuns<kPaperColumns>(cells, base, runs, binning, codes);
-  return CodesOfRuns<0>(cells, base, runs, binning, codes);
+    return CodesOfRuns<kPortableLanes, kPaperColumns>(cells, base, runs, binning, codes);
+  return CodesOfRuns<kPortableLanes, 0>(cells, base, runs, binning, codes);
 }
 
 #if defined(__x86_64__)
@@ -106,8 +126,8 @@ int CodesPortable(const CellArrays& cells, int base, std::span<const CellRun> ru
                                       std::span<const CellRun> runs, const PairBinning& binning,
                                       std::uint32_t* codes) {
   if (binning.columns == kPaperColumns)
-    return CodesOfRuns<kPaperColumns>(cells, base, runs, binning, codes);
-  return CodesOfRuns<0>(cells, base, runs, binning, codes);
+    return CodesOfRuns<kAvx2Lanes, kPaperColumns>(cells, base, runs, binning, codes);
+  return CodesOfRuns<kAvx2Lanes, 0>(cells, base, runs, binning, codes);
 }
 
 bool HasAvx2() {

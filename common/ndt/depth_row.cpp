@@ -7,12 +7,26 @@
 namespace fallen {
 namespace {
 
-// Eight pixels at a time, in the vector extensions of GCC and Clang: two registers without AVX, one
-// with it, and the same operations on each number.
-constexpr int kLanes = kRowPadding;
-using Floats = float __attribute__((vector_size(4 * kLanes)));
-using Ints = std::int32_t __attribute__((vector_size(4 * kLanes)));
-using Shorts = std::uint16_t __attribute__((vector_size(2 * kLanes)));
+// Pixels at a time, in the vector extensions of GCC and Clang: as many as a register holds, and the
+// same operations on each number.
+constexpr int kPortableLanes = 4;
+constexpr int kAvx2Lanes = 8;
+static_assert(kRowPadding % kPortableLanes == 0 && kRowPadding % kAvx2Lanes == 0);
+
+template <int kLanes>
+struct Vector;
+template <>
+struct Vector<kPortableLanes> {
+  using Floats = float __attribute__((vector_size(16)));
+  using Ints = std::int32_t __attribute__((vector_size(16)));
+  using Shorts = std::uint16_t __attribute__((vector_size(8)));
+};
+template <>
+struct Vector<kAvx2Lanes> {
+  using Floats = float __attribute__((vector_size(32)));
+  using Ints = std::int32_t __attribute__((vector_size(32)));
+  using Shorts = std::uint16_t __attribute__((vector_size(16)));
+};
 
 template <class Vector, class Scalar>
 [[gnu::always_inline]] inline void Load(Vector& vector, const Scalar* from) {
@@ -25,6 +39,7 @@ template <class Vector, class Scalar>
 }
 
 // Voxel along one axis, and the offset from its centre.
+template <class Floats, class Ints>
 [[gnu::always_inline]] inline void Split(const Floats& p, const RowGeometry& g, Ints& index,
                                          Floats& offset) {
   const Floats scaled = p * g.inverse_cell_size;
@@ -33,10 +48,13 @@ template <class Vector, class Scalar>
   offset = p - (__builtin_convertvector(index, Floats) + 0.5f) * g.cell_size_m;
 }
 
+template <int kLanes>
 [[gnu::always_inline]] inline void PlaceLanes(const std::uint16_t* depth, int u,
                                               const RowDirections& d, const RowGeometry& g,
                                               const RowPoints& points) {
-  Shorts raw;
+  using Floats = typename Vector<kLanes>::Floats;
+  using Ints = typename Vector<kLanes>::Ints;
+  typename Vector<kLanes>::Shorts raw;
   Load(raw, depth);
   const Ints units = __builtin_convertvector(raw, Ints);
   const Floats z_m = __builtin_convertvector(units, Floats) * g.depth_unit_m;
@@ -72,29 +90,30 @@ template <class Vector, class Scalar>
   Store(offset_z, points.z + u);
 }
 
+template <int kLanes>
 [[gnu::always_inline]] inline void PlacePixels(const std::uint16_t* depth, int count,
                                                const RowDirections& directions,
                                                const RowGeometry& geometry,
                                                const RowPoints& points) {
   const RowGeometry g = geometry;  // a copy, so that no store can seem to change it
   int u = 0;
-  for (; u + kLanes <= count; u += kLanes) PlaceLanes(depth + u, u, directions, g, points);
+  for (; u + kLanes <= count; u += kLanes) PlaceLanes<kLanes>(depth + u, u, directions, g, points);
   if (u == count) return;
   std::uint16_t rest[kLanes] = {};
   std::memcpy(rest, depth + u, sizeof(std::uint16_t) * (count - u));
-  PlaceLanes(rest, u, directions, g, points);
+  PlaceLanes<kLanes>(rest, u, directions, g, points);
 }
 
 void PlacePixelsPortable(const std::uint16_t* depth, int count, const RowDirections& directions,
                          const RowGeometry& geometry, const RowPoints& points) {
-  PlacePixels(depth, count, directions, geometry, points);
+  PlacePixels<kPortableLanes>(depth, count, directions, geometry, points);
 }
 
 #if defined(__x86_64__)
 [[gnu::target("avx2")]] void PlacePixelsAvx2(const std::uint16_t* depth, int count,
                                              const RowDirections& directions,
                                              const RowGeometry& geometry, const RowPoints& points) {
-  PlacePixels(depth, count, directions, geometry, points);
+  PlacePixels<kAvx2Lanes>(depth, count, directions, geometry, points);
 }
 
 bool HasAvx2() {
