@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "fallen/detection/detector.hpp"
 
@@ -15,9 +16,9 @@ namespace fallen {
 
 /// What the command line says about the detector.
 struct DetectorOptions {
-  std::optional<std::filesystem::path> config;           ///< nothing: all defaults
-  std::optional<std::filesystem::path> model;            ///< nothing: the configuration's
-  std::optional<std::filesystem::path> environment_map;  ///< nothing: the configuration's
+  std::optional<std::filesystem::path> config;  ///< nothing: all defaults
+  std::string model;                            ///< empty: the configuration's, else the shipped
+  std::string environment_map;                  ///< empty: the configuration's, else none
 };
 
 /// Adds --config, --model and --map.
