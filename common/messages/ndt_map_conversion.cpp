@@ -96,7 +96,8 @@ environment_map_t ToMessage(const EnvironmentMap& map, const std::string& descri
 EnvironmentMap FromMessage(const environment_map_t& message) {
   CheckCellSize(kEnvironmentMap, message.cell_size_m);
   checks::CheckText(kEnvironmentMap + ".description", message.description, limits::kMaxTextBytes);
-  return {message.cell_size_m, CellsFromMessage(kEnvironmentMap, message.cells)};
+  return {message.cell_size_m, CellsFromMessage(kEnvironmentMap, message.cells),
+          message.description};
 }
 
 }  // namespace fallen

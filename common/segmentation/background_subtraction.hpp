@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fallen/geometry/enum_names.hpp"
@@ -16,6 +17,7 @@ namespace fallen {
 struct EnvironmentMap {
   double cell_size_m = 0.05;
   std::vector<NdtCell> cells;
+  std::string description{};  ///< what it was built from, for people; set by loading
 };
 
 struct BackgroundConfig {
