@@ -30,15 +30,17 @@ struct BodyPose {
   std::array<LimbPose, 2> legs;
 };
 
-/// Upper-arm or thigh rotation that turns the limb from its rest direction to `direction` (rest
-/// frame: x left, y up, z forward), then by `twist` about itself.
 enum class Limb { kArm, kLeg };
 
 /// Bones that a BodyPose moves, looked up once, with what of the rest pose the angles refer to.
 class BodyRig {
  public:
+  /// Keeps references: `model` and `body` must outlive the rig.
   BodyRig(const HumanModel& model, const RestBody& body);
 
+  /// Rotation of an upper arm or thigh from its rest direction to `direction` (rest frame: x left,
+  /// y up, z forward), then by `twist_rad` about itself; twists of left and right mirror each
+  /// other.
   Eigen::Quaterniond LimbRotation(Limb limb, Side side, const Eigen::Vector3d& direction,
                                   double twist_rad) const;
 

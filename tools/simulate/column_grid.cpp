@@ -14,11 +14,11 @@ ColumnGrid::ColumnGrid(const Eigen::Vector2d& room_size)
       height_(static_cast<int>(std::ceil(room_size.y() / kCell))),
       columns_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
 
-const ColumnGrid::Column* ColumnGrid::At(double x, double y) const {
+int ColumnGrid::Index(double x, double y) const {
   const int column = static_cast<int>(std::floor((x + half_size_.x()) / kCell));
   const int row = static_cast<int>(std::floor((y + half_size_.y()) / kCell));
-  if (column < 0 || row < 0 || column >= width_ || row >= height_) return nullptr;
-  return &columns_[static_cast<std::size_t>(row * width_ + column)];
+  if (column < 0 || row < 0 || column >= width_ || row >= height_) return -1;
+  return row * width_ + column;
 }
 
 void ColumnGrid::Add(const TriangleMesh& mesh) {
@@ -35,30 +35,35 @@ void ColumnGrid::Add(const TriangleMesh& mesh) {
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; i + j <= steps; ++j) {
         const Eigen::Vector3d p = a + ab * i / steps + ac * j / steps;
-        auto* column = const_cast<Column*>(At(p.x(), p.y()));
-        if (column == nullptr) continue;
-        column->low = std::min(column->low, static_cast<float>(p.z()));
-        column->high = std::max(column->high, static_cast<float>(p.z()));
+        const int index = Index(p.x(), p.y());
+        if (index < 0) continue;
+        Column& column = columns_[static_cast<std::size_t>(index)];
+        column.low = std::min(column.low, static_cast<float>(p.z()));
+        column.high = std::max(column.high, static_cast<float>(p.z()));
       }
     }
   }
 }
 
 bool ColumnGrid::Taken(const Eigen::Vector3d& p) const {
-  const Column* column = At(p.x(), p.y());
-  if (column == nullptr) return true;
-  return p.z() > column->low && p.z() < column->high;
+  const int index = Index(p.x(), p.y());
+  if (index < 0) return true;
+  const Column& column = columns_[static_cast<std::size_t>(index)];
+  return p.z() > column.low && p.z() < column.high;
 }
 
 bool ColumnGrid::Blocked(double x, double y, double low, double high) const {
-  const Column* column = At(x, y);
-  if (column == nullptr) return true;
-  return column->low < high && column->high > low;
+  const int index = Index(x, y);
+  if (index < 0) return true;
+  const Column& column = columns_[static_cast<std::size_t>(index)];
+  return column.low < high && column.high > low;
 }
 
 bool ColumnGrid::Covered(const Eigen::Vector3d& p) const {
-  const Column* column = At(p.x(), p.y());
-  return column != nullptr && column->low > p.z() && column->low < 1e8f;
+  const int index = Index(p.x(), p.y());
+  if (index < 0) return false;
+  const Column& column = columns_[static_cast<std::size_t>(index)];
+  return column.low > p.z() && column.high >= column.low;
 }
 
 }  // namespace fallen::sim

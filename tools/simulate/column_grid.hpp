@@ -21,8 +21,7 @@ class ColumnGrid {
 
   void Add(const TriangleMesh& mesh);
 
-  /// True if a point is inside something or outside the room. Points below `ignore_below_m` of a
-  /// column's interval, e.g. rugs, are free.
+  /// True if a point is inside something or outside the room.
   bool Taken(const Eigen::Vector3d& p) const;
 
   /// True if something reaches into [low, high] in the column at (x, y), or there is no room.
@@ -36,7 +35,8 @@ class ColumnGrid {
     float low = 1e9f;
     float high = -1e9f;
   };
-  const Column* At(double x, double y) const;
+  /// Number of the column at (x, y), or -1 outside the room.
+  int Index(double x, double y) const;
 
   Eigen::Vector2d half_size_;
   int width_, height_;

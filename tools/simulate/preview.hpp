@@ -16,8 +16,8 @@ struct RgbImage {
   std::vector<std::uint8_t> pixels;  ///< RGB, row-major
 };
 
-/// Depth as colours beside depth as grey with the labels' outlines: several frames of a recording,
-/// and the scene from above and from the side in the last row.
+/// Some frames of a recording, each as coloured depth beside grey depth tinted by label (the person
+/// red), and below them the room with the drive from above and the person from near.
 RgbImage DrawPreview(const Simulation& simulation, int frames);
 
 /// A mesh in parallel projection, shaded; `from_above` or from -y. For a look at bodies and
