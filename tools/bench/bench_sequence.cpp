@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench_sequence.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "fallen/detection/pose_synchronizer.hpp"
 #include "fallen/messages/recording.hpp"
+#include "fallen/service/channels.hpp"
 #include "ray_cast_scene.hpp"
+#include "tools/import/import_log.hpp"
 
 namespace fallen {
 namespace {
@@ -17,6 +22,31 @@ constexpr std::int64_t kDefaultPeriod_us = 100000;
 constexpr double kCameraHeight_m = 1.0;
 constexpr double kCameraPitch_rad = 0.45;
 constexpr double kDrive_m = 0.5;
+
+constexpr char kShippedRecording[] = "recordings/demo.lcm";
+// build/<preset>/bin/<executable> is three folders below the source tree.
+constexpr int kMaxFoldersUp = 4;
+
+// A log made of an import directory, gone with this object.
+class ImportedLog {
+ public:
+  ImportedLog(const std::filesystem::path& directory, const std::string& camera)
+      : path_(std::filesystem::temp_directory_path() /
+              ("fallen-bench-" + std::to_string(getpid()) + ".lcm")) {
+    ImportDirectory(directory, path_, camera.empty() ? channels::kDefaultCamera : camera);
+  }
+  ~ImportedLog() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  ImportedLog(const ImportedLog&) = delete;
+  ImportedLog& operator=(const ImportedLog&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 void Append(std::vector<Frame>& frames, std::vector<Frame> more) {
   for (Frame& frame : more) frames.push_back(std::move(frame));
@@ -58,8 +88,25 @@ const Frame& BenchSequence::At(std::size_t step) {
   return frame;
 }
 
+std::filesystem::path ShippedRecording() {
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error);
+  for (int i = 0; i <= kMaxFoldersUp; ++i) {
+    folder = folder.parent_path();
+    if (std::filesystem::exists(folder / kShippedRecording, error))
+      return folder / kShippedRecording;
+  }
+  return {};
+}
+
 BenchSequence ReadSequence(const std::filesystem::path& log, const std::string& camera,
                            std::size_t max_frames) {
+  if (std::filesystem::is_directory(log)) {
+    const ImportedLog imported(log, camera);
+    BenchSequence sequence = ReadSequence(imported.path(), camera, max_frames);
+    sequence.set_source(log.filename().string());
+    return sequence;
+  }
   Recording recording(log, camera);
   PoseSynchronizer synchronizer;
   std::vector<Frame> frames;

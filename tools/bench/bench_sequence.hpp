@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fallen/detection/frame.hpp"
@@ -24,6 +25,7 @@ class BenchSequence {
   /// "640x480".
   std::string size_name() const;
   const std::string& source() const { return source_; }
+  void set_source(std::string source) { source_ = std::move(source); }
   std::size_t size() const { return frames_.size(); }
   const Frame& operator[](std::size_t i) const { return frames_[i]; }
 
@@ -39,7 +41,10 @@ class BenchSequence {
   std::int64_t period_us_;
 };
 
-/// The first `max_frames` depth images of a log, with the robot's poses.
+/// The demo recording of the source tree that this program was built in; empty if it is not there.
+std::filesystem::path ShippedRecording();
+
+/// The first `max_frames` depth images of a log or an import directory, with the robot's poses.
 /// @throws std::runtime_error if it cannot be read or holds none.
 BenchSequence ReadSequence(const std::filesystem::path& log, const std::string& camera,
                            std::size_t max_frames);

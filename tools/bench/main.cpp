@@ -38,12 +38,16 @@ int main(int argc, char** argv) {
       "fallen-bench",
       "Measures the detector and its stages beside what PCL offers, on the same frames. Options of "
       "Google Benchmark (--benchmark_filter=REGEX, --benchmark_out=FILE, ...) are passed on");
-  std::filesystem::path recording;
+  std::filesystem::path recording = fallen::ShippedRecording();
   std::string camera;
   std::size_t max_frames = 60;
   fallen::DetectorOptions options;
-  parser->add_option("--recording", recording,
-                     "Log whose frames are measured on; default: a ray-cast room");
+  parser
+      ->add_option(
+          "--recording", recording,
+          "Log or import directory whose frames are measured on; default: the shipped one. "
+          "Where it has not the size, a ray-cast room is")
+      ->capture_default_str();
   parser->add_option("--camera", camera, "Camera in the recording; default: the only one");
   parser->add_option("--frames", max_frames, "Frames to read from the recording")
       ->check(CLI::Range(1, 10000))
