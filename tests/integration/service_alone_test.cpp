@@ -52,7 +52,7 @@ TEST_P(ServiceAlone, AnswersAsTheLibraryDoesBitForBitAndReportsIt) {
   EXPECT_GT(after.rate_hz, 0);
   EXPECT_GT(after.resident_bytes, 0);
   RecordProperty("resident_megabytes", static_cast<int>(after.resident_bytes >> 20));
-  EXPECT_LE(after.resident_bytes, 100 << 20);
+  EXPECT_LE(after.resident_bytes, kMaxResidentBytes);
   const bool has_no_map = stage.service == "background-subtraction";
   EXPECT_EQ(after.state, has_no_map ? service_status_t::DEGRADED : service_status_t::RUNNING);
   EXPECT_EQ(after.text, has_no_map ? "no environment map: everything is foreground" : "");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,6 +15,13 @@
 #include "tests/support/stages.hpp"
 
 namespace fallen::testing_support {
+
+/// Memory that a service may hold; sanitizers multiply it.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr std::int64_t kMaxResidentBytes = std::int64_t{1} << 40;
+#else
+inline constexpr std::int64_t kMaxResidentBytes = 100 << 20;
+#endif
 
 /// A folder that goes with the test.
 class TestFolder {
