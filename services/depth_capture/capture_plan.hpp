@@ -34,6 +34,10 @@ void AddCaptureFlags(CLI::App& cli, CaptureFlags& flags);
 struct CapturePlan {
   CaptureConfig config;  ///< with the flags applied
   std::optional<std::filesystem::path> record;
+  /// Every so many attempts to open a lost camera OpenNI2 is started anew, which finds cameras that
+  /// nobody announces (no udev, a driver without hot plug); 0: never. Not at every one: a camera
+  /// that is announced just while OpenNI2 shuts down makes it hang.
+  int rescan_every = 4;
 
   std::optional<std::filesystem::path> file;  ///< a recording in place of a camera
   bool loop = false;

@@ -18,10 +18,6 @@ namespace {
 constexpr char kService[] = "depth-capture";
 /// How soon a signal to stop is seen, and a camera that was pulled out is missed.
 constexpr std::chrono::milliseconds kPollInterval{50};
-/// Every so many attempts OpenNI2 is started anew, which finds cameras that nobody announces. Not
-/// at every one: a camera that is plugged in just while OpenNI2 shuts down can make it hang.
-constexpr int kRescanEvery = 4;
-
 /// "a.oni" for the first, "a-2.oni" for the second camera in a row: a recording ends with its
 /// camera.
 std::filesystem::path RecordingPath(const std::filesystem::path& path, int number) {
@@ -36,7 +32,8 @@ class Opener {
   explicit Opener(const CapturePlan& plan) : plan_(plan) {}
 
   std::unique_ptr<Camera> Open(int attempt) {
-    if (!session_ || attempt % kRescanEvery == 0) Rescan();
+    const bool is_due = plan_.rescan_every > 0 && attempt % plan_.rescan_every == 0;
+    if (!session_ || is_due) Rescan();
     const CaptureConfig& config = plan_.config;
     const DepthMode mode{config.width, config.height, config.rate_hz, config.depth_unit};
     auto camera = std::make_unique<OpenNiCamera>(config.device_uri, mode, NextRecording());
@@ -136,6 +133,7 @@ void DepthCaptureService::Capture() {
 }
 
 void DepthCaptureService::Play(const std::function<bool()>& stop_arrived) {
+  const OpenNiSession session;  // across loops: starting OpenNI2 looks for cameras each time
   reporter_.SetState(ServiceState::kRunning, "playing " + plan_.file->string());
   const Clock::time_point start = Clock::now();
   std::optional<std::int64_t> first_us;

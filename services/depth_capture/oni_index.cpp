@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "services/depth_capture/oni_index.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <fstream>
@@ -18,6 +19,8 @@ constexpr std::uint32_t kRecordMagic = 0x0052494E;
 constexpr std::uint32_t kNodeAddedOldest = 0x02;  // of file version 1.0.0.4
 constexpr std::uint32_t kNodeAddedOld = 0x0C;     // of file version 1.0.0.5
 constexpr std::uint32_t kNodeAdded = 0x0D;
+constexpr std::uint32_t kFirstProperty = 0x03;  // of numbers, texts and structs
+constexpr std::uint32_t kLastProperty = 0x06;
 constexpr std::uint32_t kNewData = 0x0A;
 constexpr std::uint32_t kEnd = 0x0B;
 constexpr std::uint32_t kLastType = 0x0E;
@@ -26,6 +29,8 @@ constexpr std::size_t kShortHeaderBytes = 24;  // with a 32-bit undo position
 constexpr std::size_t kLongHeaderBytes = 28;   // with a 64-bit one, since 1.0.1.0
 /// The player's buffer: a picture of 1600 x 1200 with 3 bytes a pixel.
 constexpr std::uint32_t kMaxRecordBytes = 1600 * 1200 * 3;
+constexpr std::uint32_t kMaxNameBytes = 80;  // XN_MAX_NAME_LENGTH
+constexpr std::uint32_t kMaxSide = 8192;     // as CameraIntrinsics
 /// Seek tables are the one kind of record that the player never loads into that buffer.
 constexpr std::uint32_t kSeekTable = 0x0E;
 
@@ -117,14 +122,27 @@ class Walker {
 
   /// Type of the node that `record` adds: behind its name.
   std::uint32_t ReadNodeType(const Record& record) {
-    const auto name_bytes = Get<std::uint32_t>(ReadFields<4>(record).data());
-    if (record.fields_bytes < 8 || name_bytes > record.fields_bytes - 8)
-      Refuse(start_, "got a node's name of " + std::to_string(name_bytes) +
-                         " bytes, expected at most " + std::to_string(record.fields_bytes));
-    Seek(position_ + name_bytes);
+    ReadName(record);
     std::array<std::uint8_t, 4> type{};
     Read(type.data(), type.size());
     return Get<std::uint32_t>(type.data());
+  }
+
+  /// Refuses a property that would crash the player.
+  void CheckProperty(const Record& record) {
+    const std::string name = ReadName(record);
+    std::array<std::uint8_t, 4> size{};
+    Read(size.data(), size.size());
+    const auto bytes = Get<std::uint32_t>(size.data());
+    if (bytes != end_ - position_ || record.payload_bytes != 0)
+      Refuse(start_, "got " + name + " of " + std::to_string(bytes) + " bytes, expected " +
+                         std::to_string(end_ - position_));
+    if (name == "oniRequiredFrameSize" || name == "RequiredDataSize")
+      CheckNumber<std::uint64_t>(name, kMaxRecordBytes);
+    if (name == "xnMapOutputMode") {  // width, height, rate
+      CheckNumber<std::uint32_t>(name, kMaxSide);
+      CheckNumber<std::uint32_t>(name, kMaxSide);
+    }
   }
 
   void SkipRest() { Seek(end_); }
@@ -137,6 +155,34 @@ class Walker {
   }
 
  private:
+  /// The name that a record's fields begin with, and its last four bytes must not be a part of.
+  ///
+  /// The player takes the characters of a name as numbers, negative ones too, that it looks up.
+  std::string ReadName(const Record& record) {
+    const auto bytes = Get<std::uint32_t>(ReadFields<4>(record).data());
+    if (bytes < 1 || bytes > kMaxNameBytes || record.fields_bytes < 8 + bytes)
+      Refuse(start_, "got a name of " + std::to_string(bytes) + " bytes in fields of " +
+                         std::to_string(record.fields_bytes));
+    std::string name(bytes, '\0');
+    Read(reinterpret_cast<std::uint8_t*>(name.data()), bytes);
+    const bool ends_well = name.back() == '\0';
+    name.pop_back();
+    const bool is_plain =
+        std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; });
+    if (!ends_well || !is_plain) Refuse(start_, "got a name that is no plain word");
+    return name;
+  }
+
+  template <class Number>
+  void CheckNumber(const std::string& name, std::uint64_t largest) {
+    std::array<std::uint8_t, sizeof(Number)> bytes{};
+    Read(bytes.data(), bytes.size());
+    const auto value = Get<Number>(bytes.data());
+    if (position_ > end_ || value > largest)
+      Refuse(start_, "got " + name + " " + std::to_string(value) + ", expected at most " +
+                         std::to_string(largest));
+  }
+
   void Seek(std::uint64_t position) {
     file_.seekg(static_cast<std::streamoff>(position));
     position_ = position;
@@ -160,6 +206,10 @@ class Walker {
   std::uint32_t max_node_ = 0;
 };
 
+bool IsProperty(const Record& record) {
+  return record.type >= kFirstProperty && record.type <= kLastProperty;
+}
+
 bool AddsNode(const Record& record) {
   return record.type == kNodeAdded || record.type == kNodeAddedOld ||
          record.type == kNodeAddedOldest;
@@ -175,8 +225,9 @@ OniIndex IndexOniFile(const std::filesystem::path& path) {
   for (;;) {
     const Record record = walker.ReadRecord();
     if (record.type == kEnd) break;
-    if (AddsNode(record) && !depth_node && walker.ReadNodeType(record) == kDepthNode)
+    if (AddsNode(record) && walker.ReadNodeType(record) == kDepthNode && !depth_node)
       depth_node = record.node;
+    if (IsProperty(record)) walker.CheckProperty(record);
     if (record.type == kNewData && record.node == depth_node) {
       const auto fields = walker.ReadFields<12>(record);
       const OniIndexEntry entry{static_cast<std::int64_t>(Get<std::uint64_t>(&fields[0])),

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <vector>
 
+#include "services/depth_capture/frame_wait.hpp"
 #include "services/depth_capture/oni_index.hpp"
 #include "services/depth_capture/openni_conversions.hpp"
 #include "services/depth_capture/openni_session.hpp"
@@ -137,17 +138,14 @@ OpenNiCamera::OpenNiCamera(const std::string& uri, const DepthMode& mode,
 OpenNiCamera::~OpenNiCamera() = default;
 
 std::optional<CameraFrame> OpenNiCamera::Read(std::chrono::milliseconds timeout) {
-  openni::VideoStream* streams[] = {&state_->stream};
-  int ready = -1;
+  openni::VideoFrameRef frame;
   const openni::Status status =
-      openni::OpenNI::waitForAnyStream(streams, 1, &ready, static_cast<int>(timeout.count()));
+      WaitForFrame(state_->stream, static_cast<int>(timeout.count()), frame);
   if (state_->unplug->unplugged()) throw CameraUnavailable(state_->description + ": was unplugged");
   if (status == openni::STATUS_TIME_OUT) return std::nullopt;
-  openni::VideoFrameRef frame;
-  if (status != openni::STATUS_OK || state_->stream.readFrame(&frame) != openni::STATUS_OK)
+  if (status != openni::STATUS_OK)
     throw CameraUnavailable(state_->description +
                             ": cannot be read: " + OpenNiError("no reason given"));
-  if (!frame.isValid()) return std::nullopt;
   CameraFrame result;
   result.image = ToDepthImage(ViewOf(frame), state_->field_of_view, state_->mirrored);
   result.device_time_us = static_cast<std::int64_t>(frame.getTimestamp());

@@ -35,6 +35,7 @@ CapturePlan SmallPlan() {
   plan.config.lost_after_s = 0.3;
   plan.config.first_retry_s = 0.05;
   plan.config.longest_retry_s = 0.1;
+  plan.rescan_every = 0;  // virtual cameras are announced, unless a test says otherwise
   return plan;
 }
 
@@ -184,7 +185,9 @@ TEST(DepthCaptureServiceTest, WaitsForACameraThatIsNotThereYet) {
 TEST(DepthCaptureServiceTest, FindsACameraThatNobodyAnnounces) {
   const test::VirtualCameraControl control;
   setenv(virtual_camera::kHotplugVariable, "0", 1);
-  RunningService service(SmallPlan());
+  CapturePlan plan = SmallPlan();
+  plan.rescan_every = CapturePlan().rescan_every;
+  RunningService service(plan);
   ASSERT_TRUE(service.WaitForFrames(3));
   control.Set("unplugged");
   ASSERT_TRUE(service.WaitForState(service_status_t::LOST));
