@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -16,17 +18,27 @@ inline int ThreadCount(int threads) {
 }
 
 /// Calls `task(i)` for i in [0, count), each once, on up to `threads` threads including this one.
-/// Which thread does which is open, so tasks must write to places of their own; `task` must not
-/// throw.
+/// Which thread does which is open, so tasks must write to places of their own. The first exception
+/// ends the rest and is thrown on, after all threads have stopped.
 template <class Task>
 void ParallelFor(int count, int threads, const Task& task) {
   std::atomic<int> next{0};
+  std::exception_ptr first_error;
+  std::once_flag is_noted;
   const auto work = [&] {
-    for (int i = next++; i < count; i = next++) task(i);
+    try {
+      for (int i = next++; i < count; i = next++) task(i);
+    } catch (...) {
+      std::call_once(is_noted, [&] { first_error = std::current_exception(); });
+      next = count;
+    }
   };
-  std::vector<std::jthread> helpers;
-  for (int t = 1; t < std::min(threads, count); ++t) helpers.emplace_back(work);
-  work();
+  {
+    std::vector<std::jthread> helpers;
+    for (int t = 1; t < std::min(threads, count); ++t) helpers.emplace_back(work);
+    work();
+  }
+  if (first_error) std::rethrow_exception(first_error);
 }
 
 }  // namespace fallen
