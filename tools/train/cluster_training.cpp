@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/train/cluster_training.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+#include "fallen/classification/soft_threshold_encoding.hpp"
+#include "fallen/evaluation/frame_outcome.hpp"
+#include "fallen/segmentation/parallel_for.hpp"
+
+namespace fallen {
+namespace {
+
+// Rates at which the operating points are kept: what a user may ask for.
+constexpr double kRates[] = {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
+
+SegmentedMap Segment(const ObservedFrame& frame, const CellModel& cells,
+                     const TrainingConfig& config) {
+  const ForegroundMap foreground = BackgroundSubtractor().Subtract(frame.map);
+  return SegmentCells(foreground, cells, config.segmentation);
+}
+
+bool IsPerson(const SegmentedMap& segmented, const CellCluster& cluster,
+              const std::optional<OrientedBox>& person_box, double min_share) {
+  if (!person_box) return false;
+  std::size_t inside = 0;
+  for (const std::int32_t i : cluster.cells)
+    if (person_box->Contains(segmented.cells[i].cell.mean.cast<double>())) ++inside;
+  return static_cast<double>(inside) >= min_share * static_cast<double>(cluster.cells.size());
+}
+
+IronDescriptors::Matrix ThinRows(const IronDescriptors::Matrix& rows, Eigen::Index wanted) {
+  if (rows.rows() <= wanted) return rows;
+  IronDescriptors::Matrix kept(wanted, rows.cols());
+  for (Eigen::Index i = 0; i < wanted; ++i) kept.row(i) = rows.row(i * rows.rows() / wanted);
+  return kept;
+}
+
+}  // namespace
+
+ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
+                                  const IronDescriptors::Matrix& person_descriptors,
+                                  const CellModel& cells, const TrainingConfig& config, int jobs,
+                                  const TrainingProgress& progress) {
+  ClusterTraining training;
+  ClusterModel& model = training.model;
+  model.iron = config.iron;
+  model.alpha = config.sampling.alpha;
+  model.codebook =
+      TrainGrowingNeuralGas(ThinRows(person_descriptors, config.sampling.codebook_cells),
+                            config.codebook, [&](double share) { progress("codebook", share); });
+
+  std::vector<std::vector<Eigen::VectorXd>> codes(frames.size());
+  std::atomic<std::size_t> done = 0;
+  ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
+    progress("clusters", static_cast<double>(++done) / static_cast<double>(frames.size()));
+    if (!frames[i]->is_positive()) return;
+    const SegmentedMap segmented = Segment(*frames[i], cells, config);
+    for (const CellCluster& cluster : segmented.clusters)
+      if (IsPerson(segmented, cluster, frames[i]->person_box, config.sampling.min_person_share))
+        codes[i].push_back(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));
+  });
+  for (const auto& part : codes) training.person_clusters += static_cast<std::int64_t>(part.size());
+  if (training.person_clusters < 2)
+    throw std::runtime_error("segmentation finds " + std::to_string(training.person_clusters) +
+                             " clusters of persons in the training frames, expected 2 or more");
+  Eigen::MatrixXd all(training.person_clusters, model.codebook.rows());
+  Eigen::Index row = 0;
+  for (const auto& part : codes)
+    for (const Eigen::VectorXd& code : part) all.row(row++) = code.transpose();
+  const MahalanobisFit fit = FitMahalanobis(all);
+  model.gaussian = fit.model;
+  training.shrinkage = fit.shrinkage;
+  return training;
+}
+
+CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames,
+                                    const CellModel& cells, const ClusterModel& model,
+                                    const TrainingConfig& config, int jobs,
+                                    const TrainingProgress& progress) {
+  struct Judged {
+    std::vector<double> distances;
+    std::vector<std::uint8_t> is_person;
+    SegmentedMap segmented;
+  };
+  std::vector<Judged> judged(frames.size());
+  std::atomic<std::size_t> done = 0;
+  ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
+    Judged& frame = judged[i];
+    frame.segmented = Segment(*frames[i], cells, config);
+    for (const CellCluster& cluster : frame.segmented.clusters) {
+      const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
+      frame.distances.push_back(model.gaussian.Distance(code));
+      frame.is_person.push_back(IsPerson(frame.segmented, cluster, frames[i]->person_box,
+                                         config.sampling.min_person_share));
+    }
+    progress("calibration", static_cast<double>(++done) / static_cast<double>(frames.size()));
+  });
+
+  std::vector<double> distances;
+  std::vector<std::uint8_t> is_person;
+  for (const Judged& frame : judged) {
+    distances.insert(distances.end(), frame.distances.begin(), frame.distances.end());
+    is_person.insert(is_person.end(), frame.is_person.begin(), frame.is_person.end());
+  }
+  CalibrationResult result;
+  result.person_clusters = std::count(is_person.begin(), is_person.end(), 1);
+  result.other_clusters = static_cast<std::int64_t>(is_person.size()) - result.person_clusters;
+  if (result.person_clusters == 0 || result.other_clusters == 0)
+    throw std::runtime_error("segmentation finds " + std::to_string(result.person_clusters) +
+                             " persons and " + std::to_string(result.other_clusters) +
+                             " other clusters in the validation frames, expected both");
+  result.calibration = FitCalibration(distances, is_person);
+  // A threshold is needed to judge clusters; the lowest lets the curve see all of them.
+  result.calibration.operating_points = {{0.0, 1.0, 0.0}};
+
+  ClusterModel calibrated = model;
+  calibrated.calibration = result.calibration;
+  std::vector<FrameOutcome> outcomes;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Decision decision = ClassifyClusters(judged[i].segmented, calibrated);
+    outcomes.push_back(JudgeFrame(decision, frames[i]->person_box, frames[i]->cells_in_box));
+  }
+  result.tradeoff = ComputeTradeoff(outcomes);
+  result.calibration.operating_points.clear();
+  for (const double rate : kRates) {
+    const OperatingPoint* best = nullptr;
+    for (const OperatingPoint& point : result.tradeoff.points)
+      if (point.false_positives_per_frame <= rate && point.min_score <= 1) best = &point;
+    if (!best) continue;
+    auto& kept = result.calibration.operating_points;
+    if (kept.empty() || kept.back().min_probability < best->min_score)
+      kept.push_back({best->min_score, best->false_positives_per_frame, best->miss_rate});
+  }
+  return result;
+}
+
+}  // namespace fallen

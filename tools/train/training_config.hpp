@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "fallen/classification/growing_neural_gas.hpp"
+#include "fallen/segmentation/cell_segmentation.hpp"
+#include "tools/train/observation.hpp"
+
+namespace fallen {
+
+/// Which cells and clusters are learnt from.
+struct SamplingConfig {
+  CellFeatureSet features = CellFeatureSet::kIronAndShape;
+  int max_person_cells = 400000;  ///< drawn from all frames alike
+  int max_other_cells = 800000;
+  int codebook_cells = 100000;  ///< descriptors shown to the codebook
+  double alpha = 0.7;           ///< soft threshold on the cosine
+  /// A cluster is a fallen person's if so many of its labelled cells are, (0, 1].
+  double min_person_share = 0.5;
+  std::int64_t seed = 1;
+
+  template <class Visitor>
+  void Visit(Visitor&& visit) {
+    visit("features", features);
+    visit("max_person_cells", max_person_cells);
+    visit("max_other_cells", max_other_cells);
+    visit("codebook_cells", codebook_cells);
+    visit("alpha", alpha);
+    visit("min_person_share", min_person_share);
+    visit("seed", seed);
+  }
+};
+
+/// All settings of a training, the sections of config/training.yaml.
+struct TrainingConfig {
+  ObservationConfig observation;
+  SamplingConfig sampling;
+  BoostingConfig boosting;
+  SegmentationConfig segmentation;
+  GrowingNeuralGasConfig codebook;
+  IronConfig iron;
+
+  /// @throws std::invalid_argument for the first setting that is out of range.
+  void Validate() const;
+  template <class Visitor>
+  void Visit(Visitor&& visit) {
+    visit("observation", observation);
+    visit("sampling", sampling);
+    visit("boosting", boosting);
+    visit("segmentation", segmentation);
+    visit("codebook", codebook);
+    visit("iron", iron);
+  }
+};
+
+/// @throws std::runtime_error naming file, line, got and expected. No file: the defaults.
+TrainingConfig LoadTrainingConfig(const std::optional<std::filesystem::path>& path);
+
+}  // namespace fallen
