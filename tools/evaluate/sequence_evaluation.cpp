@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/evaluate/sequence_evaluation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tools/frames/frame_source.hpp"
+
+namespace fallen {
+namespace {
+
+double Median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector detector) {
+  SequenceOutcome sequence;
+  sequence.log = input.string();
+  std::vector<double> milliseconds;
+  bool has_truth = false;
+  const std::unique_ptr<FrameSource> recording = OpenFrameSource(input);
+  while (const std::optional<Frame> frame = recording->Next()) {
+    const FrameResult result = detector.Detect(*frame);
+    milliseconds.push_back(result.milliseconds.total);
+    sequence.min_probability = result.decision.min_probability;
+    const std::optional<GroundTruth> truth = recording->Truth(*frame);
+    if (!truth) continue;
+    has_truth = true;
+    if (!truth->person.empty()) sequence.person = truth->person;
+    if (!truth->room.empty()) sequence.room = truth->room;
+    if (truth->person_box && result.decision.frame != MapFrame::kWorld) {
+      ++sequence.unjudged_frames;
+      continue;
+    }
+    const int cells =
+        truth->person_box ? CountCellsInBox(result.foreground.map, *truth->person_box) : 0;
+    sequence.frames.push_back(JudgeFrame(result.decision, truth->person_box, cells));
+  }
+  if (!has_truth)
+    throw std::runtime_error(input.string() +
+                             ": no ground truth for any frame, expected GROUND_TRUTH_* messages");
+  sequence.damaged_messages = recording->damage().count;
+  sequence.median_milliseconds = Median(std::move(milliseconds));
+  return sequence;
+}
+
+}  // namespace fallen

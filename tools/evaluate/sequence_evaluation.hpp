@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fallen/detection/detector.hpp"
+#include "fallen/evaluation/frame_outcome.hpp"
+
+namespace fallen {
+
+/// What a detector made of one recording.
+struct SequenceOutcome {
+  std::string log;
+  std::string person;
+  std::string room;
+  std::vector<FrameOutcome> frames;
+  /// Frames with a person somewhere, but no pose that would say where: judged neither way.
+  std::int64_t unjudged_frames = 0;
+  std::int64_t damaged_messages = 0;
+  double median_milliseconds = 0;
+  double min_probability = 0;  ///< threshold in force
+};
+
+/// Runs `detector`, a fresh one, over a log or import directory and judges every frame by its
+/// ground truth. @throws std::runtime_error if the input cannot be read or holds no ground truth.
+SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector detector);
+
+}  // namespace fallen
