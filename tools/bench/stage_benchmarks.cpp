@@ -131,7 +131,7 @@ std::string WhyNoDetector(const DetectorOptions& options) {
     MakeDetector(options);
     return {};
   } catch (const std::exception& error) {
-    if (options.model || options.config || options.environment_map) throw;
+    if (options.config || !options.model.empty() || !options.environment_map.empty()) throw;
     return error.what();
   }
 }
