@@ -35,7 +35,7 @@ struct SamplingConfig {
   }
 };
 
-/// All settings of a training, the sections of config/training.yaml.
+/// All settings of a training, the sections of models/training.yaml.
 struct TrainingConfig {
   ObservationConfig observation;
   SamplingConfig sampling;
