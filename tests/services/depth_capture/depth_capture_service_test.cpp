@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <condition_variable>
+#include <deque>
 #include <functional>
+#include <future>
 #include <lcm/lcm-cpp.hpp>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -40,13 +44,49 @@ CapturePlan SmallPlan() {
 }
 
 /// Runs the service in a thread; listens to what it publishes.
+// One thread for all services of this process, one after the other; it never ends. OpenNI2 asks
+// every thread that ever called it whether it still lives, also after a shutdown, and may crash on
+// one that has ended. A program has one service in one thread, so this is as in use.
+class ServiceThread {
+ public:
+  static std::future<void> Run(std::function<void()> work) {
+    static ServiceThread& instance = *new ServiceThread;
+    std::packaged_task<void()> task(std::move(work));
+    std::future<void> ended = task.get_future();
+    {
+      const std::lock_guard lock(instance.mutex_);
+      instance.tasks_.push_back(std::move(task));
+    }
+    instance.changed_.notify_one();
+    return ended;
+  }
+
+ private:
+  ServiceThread() {
+    std::thread([this] {
+      while (true) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return !tasks_.empty(); });
+        std::packaged_task<void()> task = std::move(tasks_.front());
+        tasks_.pop_front();
+        lock.unlock();
+        task();
+      }
+    }).detach();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::packaged_task<void()>> tasks_;
+};
+
 class RunningService {
  public:
   explicit RunningService(const CapturePlan& plan) : service_(lcm_, "LEFT", plan) {
     // memq holds everything until it is handled: nothing is lost, however slow the test.
     lcm_.subscribe("DEPTH_LEFT", &RunningService::OnDepth, this)->setQueueCapacity(0);
     lcm_.subscribe("STATUS_DEPTH_CAPTURE", &RunningService::OnStatus, this);
-    thread_ = std::thread([this] {
+    run_ = ServiceThread::Run([this] {
       service_.Run([this] { return stopped_.load(); });
       ended_ = true;
     });
@@ -76,7 +116,7 @@ class RunningService {
 
   void Stop() {
     stopped_ = true;
-    if (thread_.joinable()) thread_.join();
+    if (run_.valid()) run_.wait();
     while (lcm_.handleTimeout(10) > 0) {
     }
   }
@@ -102,7 +142,7 @@ class RunningService {
   DepthCaptureService service_;
   std::atomic<bool> stopped_{false};
   std::atomic<bool> ended_{false};
-  std::thread thread_;
+  std::future<void> run_;
 };
 
 /// Number that the pattern carries in its first pixel.
