@@ -60,6 +60,21 @@ NdtMap ForegroundOnly(const ForegroundMap& foreground) {
   return map;
 }
 
+// The cells that can get a score, or give one by smoothing to a cell that can: foreground that does
+// not lie too high above the floor. A third of the cells in a room are walls above that.
+std::vector<std::uint8_t> WantedCells(const NdtMap& map,
+                                      std::span<const std::uint8_t> is_foreground,
+                                      const SegmentationConfig& config) {
+  std::vector<std::uint8_t> wanted(map.cells.size(), 1);
+  if (!is_foreground.empty()) wanted.assign(is_foreground.begin(), is_foreground.end());
+  if (!map.ground.ok()) return wanted;
+  const double max_height_m = config.max_height_m + config.smoothing_radius_m;
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (map.ground.plane.SignedHeight(map.cells[i].mean.cast<double>()) > max_height_m)
+      wanted[i] = 0;
+  return wanted;
+}
+
 std::vector<std::int32_t> DescribedCells(const IronDescriptors& descriptors) {
   std::vector<std::int32_t> indices;
   for (std::size_t i = 0; i < descriptors.neighbor_counts.size(); ++i)
@@ -150,9 +165,10 @@ SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& mode
   NdtMap foreground_only;
   if (config.descriptors_on_foreground_only) foreground_only = ForegroundOnly(foreground);
   const NdtMap& visible = config.descriptors_on_foreground_only ? foreground_only : map;
-  const std::span<const std::uint8_t> is_wanted = config.descriptors_on_foreground_only
-                                                      ? std::span<const std::uint8_t>()
-                                                      : foreground.is_foreground;
+  const std::span<const std::uint8_t> is_foreground = config.descriptors_on_foreground_only
+                                                          ? std::span<const std::uint8_t>()
+                                                          : foreground.is_foreground;
+  const std::vector<std::uint8_t> is_wanted = WantedCells(visible, is_foreground, config);
   const std::vector<CellNormal> normals = ComputeNormals(visible.cells, model.iron);
   const IronDescriptors descriptors =
       ComputeIronDescriptors(visible.cells, normals, is_wanted, model.iron);

@@ -40,7 +40,7 @@ struct SegmentationConfig {
   double min_score = 0.0;            ///< smoothed score from which a cell counts as person, [-1, 1]
   /// Cells higher above the floor are never person: their score is -1. Without a known floor this
   /// is not applied.
-  double max_height_m = 1.2;
+  double max_height_m = 0.9;
   double cluster_epsilon_m = 0.12;  ///< DBSCAN's radius, > 0; 0.10-0.15 m suit cells of 5 cm
   int cluster_min_points = 6;  ///< cells within it that make a core cell, itself included, >= 1
   int min_cluster_cells = 15;  ///< smaller clusters are dropped, >= 1
@@ -83,8 +83,9 @@ struct SegmentedMap {
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
   GroundEstimate ground;  ///< plane in the map frame
   BackgroundStatus background = BackgroundStatus::kNoEnvironmentMap;
-  IronConfig iron;                ///< how `descriptors` were computed
-  std::vector<ScoredCell> cells;  ///< all foreground cells with a descriptor
+  IronConfig iron;  ///< how `descriptors` were computed
+  std::vector<ScoredCell>
+      cells;  ///< foreground cells with a descriptor; not far above `max_height_m`
   std::vector<CellCluster> clusters;
 };
 
