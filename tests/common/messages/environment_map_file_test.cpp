@@ -23,7 +23,9 @@ using testing::HasSubstr;
 class EnvironmentMapFile : public testing::Test {
  protected:
   EnvironmentMapFile()
-      : folder_(std::filesystem::path(testing::TempDir()) / "environment_map_file_test") {
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                (std::string("environment_map_file_test_") +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
