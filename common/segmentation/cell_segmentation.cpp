@@ -61,7 +61,7 @@ NdtMap ForegroundOnly(const ForegroundMap& foreground) {
 }
 
 // The cells that can get a score, or give one by smoothing to a cell that can: foreground that does
-// not lie too high above the floor. A third of the cells in a room are walls above that.
+// not lie too high above the floor.
 std::vector<std::uint8_t> WantedCells(const NdtMap& map,
                                       std::span<const std::uint8_t> is_foreground,
                                       const SegmentationConfig& config) {
