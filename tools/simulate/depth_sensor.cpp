@@ -5,97 +5,133 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
-#include "tools/simulate/random.hpp"
+#include "tools/simulate/noise_field.hpp"
+#include "tools/simulate/pixel_neighbours.hpp"
+#include "tools/simulate/time_of_flight.hpp"
 
 namespace fallen::sim {
 namespace {
 
-// Correlation windows overlap from pixel to pixel, so errors and losses are alike within some
-// pixels: they are drawn on a lattice of this spacing at 640 x 480 and interpolated. In real
-// recordings less than 1 % of the missing pixels stand alone.
-constexpr double kLatticeAt640 = 5;  // [px]
 // Of the axial noise, what is alike within a window and what is every pixel's own; squares add up
 // to 1.
 constexpr double kSharedNoise = 0.9, kOwnNoise = 0.436;
+constexpr double kSignalSpread = 0.35;  // of the signal's logarithm, over which losses set in
 
-// Signal: albedo * cosine of incidence / depth^2. Below kWeakSignal a pixel is as likely lost as
-// not; chosen such that of a matt floor (0.45), 1 m below the camera, some 5 % are lost at 4.5 m,
-// as in real recordings of a Kinect.
-constexpr double kWeakSignal = 0.0018;
-constexpr double kSignalSpread = 0.35;  // of the logarithm, over which losses set in
-// Depth steps larger than this share of the depth are edges, where a window sees two depths.
-constexpr double kEdgeStep = 0.03;
-constexpr double kEdgeLoss = 0.35;
-
-// Cheap, near enough to normal: the sum of four uniform numbers of 16 bits, scaled to unit
-// variance.
-double NormalFromBits(std::uint64_t bits) {
-  constexpr double kScale = std::numbers::sqrt3 / 65536.0;  // variance of one is 65536^2 / 12
-  const auto sum = static_cast<double>((bits & 0xffff) + ((bits >> 16) & 0xffff) +
-                                       ((bits >> 32) & 0xffff) + (bits >> 48));
-  return (sum - 2 * 65535.0) * kScale;
-}
-
-// Noise of mean 0 and variance 1 that changes over the lattice's spacing.
-class SmoothField {
- public:
-  SmoothField(std::uint64_t seed, int width, int height, double spacing)
-      : inverse_spacing_(1 / spacing), columns_(static_cast<int>(width / spacing) + 2) {
-    const int rows = static_cast<int>(height / spacing) + 2;
-    for (int i = 0; i < rows * columns_; ++i)
-      nodes_.push_back(static_cast<float>(
-          NormalFromBits(MixBits(MixBits(seed) + static_cast<std::uint64_t>(i)))));
-  }
-
-  double At(int u, int v) const {
-    // Bilinear weights leave 4/9 of the variance on average.
-    constexpr double kRestoreVariance = 1.5;
-    const double x = u * inverse_spacing_, y = v * inverse_spacing_;
-    const int column = static_cast<int>(x), row = static_cast<int>(y);
-    const double s = x - column, t = y - row;
-    const float* node = &nodes_[static_cast<std::size_t>(row * columns_ + column)];
-    return kRestoreVariance * ((1 - t) * ((1 - s) * node[0] + s * node[1]) +
-                               t * ((1 - s) * node[columns_] + s * node[columns_ + 1]));
-  }
-
- private:
-  double inverse_spacing_;
-  int columns_;
-  std::vector<float> nodes_;
-};
-
-// Share of a normal distribution below `value`.
-double NormalShareBelow(double value) { return 0.5 * std::erfc(-value / std::numbers::sqrt2); }
-
-bool AtEdge(const IdealView& view, int width, int height, int u, int v) {
-  const float depth = view.depth_m[static_cast<std::size_t>(v * width + u)];
-  const auto step = static_cast<float>(kEdgeStep) * depth;
-  const auto differs = [&](int du, int dv) {
-    const int x = u + du, y = v + dv;
-    if (x < 0 || y < 0 || x >= width || y >= height) return false;
-    return std::abs(view.depth_m[static_cast<std::size_t>(y * width + x)] - depth) > step;
-  };
-  return differs(-1, 0) || differs(1, 0) || differs(0, -1) || differs(0, 1);
-}
-
-double LossProbability(double depth_m, double cosine, double albedo) {
-  const double signal = albedo * cosine / (depth_m * depth_m);
+double LossProbability(double signal, double weak_signal) {
   if (signal <= 0) return 1;
-  const auto ratio = static_cast<float>(signal / kWeakSignal);
+  const auto ratio = static_cast<float>(signal / weak_signal);
   return 1 / (1 + std::exp(std::log(ratio) / static_cast<float>(kSignalSpread)));
 }
 
-}  // namespace
+// Which pixels have no depth for another reason than the range.
+class Losses {
+ public:
+  Losses(const IdealView& view, int width, int height, const SensorConfig& config,
+         std::uint64_t seed)
+      : view_(view),
+        config_(config),
+        width_(width),
+        height_(height),
+        loss_(MixBits(seed + 4), width, height, config.window_px * width / 640),
+        blobs_(MixBits(seed + 6), width, height, 4 * config.window_px * width / 640),
+        device_blobs_(MixBits(config.device_seed + 7), width, height, 24.0 * width / 640) {
+    const double scale = width / 640.0;
+    first_u_ = static_cast<int>(config.border_px[0] * scale);
+    first_v_ = static_cast<int>(config.border_px[1] * scale);
+    last_u_ = width - static_cast<int>(config.border_px[2] * scale);
+    last_v_ = height - static_cast<int>(config.border_px[3] * scale);
+  }
 
-CameraIntrinsics SensorIntrinsics(int width) {
-  if (width == 640) return {640, 480, 575, 575, 319.5, 239.5};
-  if (width == 320) return {320, 240, 287.5, 287.5, 159.5, 119.5};
-  throw std::invalid_argument("sensor: width: got " + std::to_string(width) +
-                              ", expected 320 or 640");
+  bool At(int u, int v) const {
+    if (u < first_u_ || v < first_v_ || u >= last_u_ || v >= last_v_) return true;
+    constexpr double kNegligible = 0.002;  // no lattice node is that unlikely
+    const auto pixel = static_cast<std::size_t>(v * width_ + u);
+    if (view_.lit[pixel] == 0) return true;
+    const double depth = view_.depth_m[pixel];
+    const double signal = view_.albedo[pixel] / 255.0 * view_.cosine[pixel] / (depth * depth);
+    double lost = LossProbability(signal, config_.weak_signal);
+    if (AtEdge(view_, width_, height_, u, v)) lost += config_.edge_loss * (1 - lost);
+    if (lost > kNegligible && NormalShareBelow(loss_.At(u, v)) < lost) return true;
+    if (config_.blob_loss <= 0) return false;
+    // Half of the blobs stay where they are in the picture, half come and go.
+    const double blob = (blobs_.At(u, v) + device_blobs_.At(u, v)) / std::numbers::sqrt2;
+    return NormalShareBelow(blob) < config_.blob_loss;
+  }
+
+ private:
+  const IdealView& view_;
+  const SensorConfig& config_;
+  int width_, height_;
+  NoiseField loss_, blobs_, device_blobs_;
+  int first_u_, first_v_, last_u_, last_v_;
+};
+
+// Structured light: noise on depth, then steps of disparity.
+class Disparity {
+ public:
+  Disparity(const IdealView& view, int width, int height, const SensorConfig& config,
+            std::uint64_t seed)
+      : view_(view),
+        config_(config),
+        width_(width),
+        shared_(MixBits(seed + 3), width, height, config.window_px * width / 640),
+        own_seed_(MixBits(seed + 5)),
+        focal_times_baseline_(config.correlation_focal_px * std::abs(config.baseline_m)) {}
+
+  double Measure(int u, int v, double depth) const {
+    const auto pixel = static_cast<std::size_t>(v * width_ + u);
+    const double incidence = std::acos(std::min(1.0f, view_.cosine[pixel]));
+    const double sigma = config_.axial_noise_scale * AxialSigma(depth, incidence);
+    const double own = NormalFromBits(MixBits(own_seed_ + pixel));
+    const double error = sigma * (kSharedNoise * shared_.At(u, v) + kOwnNoise * own);
+    const double exact = focal_times_baseline_ / (depth + error);
+    const double disparity =
+        std::round(exact / config_.disparity_step_px) * config_.disparity_step_px;
+    return disparity <= 0 ? -1 : focal_times_baseline_ / disparity;
+  }
+
+ private:
+  const IdealView& view_;
+  const SensorConfig& config_;
+  int width_;
+  NoiseField shared_;
+  std::uint64_t own_seed_;
+  double focal_times_baseline_;
+};
+
+// Two values a pixel: by how much its ray goes astray.
+std::vector<float> LateralNoise(const SensorConfig& config, int width, int height,
+                                std::uint64_t seed) {
+  if (!config.noise || config.kind != SensorKind::kStructuredLight) return {};
+  const double scale = width / 640.0;
+  const NoiseField noise_u(MixBits(seed + 1), width, height, config.window_px * scale);
+  const NoiseField noise_v(MixBits(seed + 2), width, height, config.window_px * scale);
+  std::vector<float> jitter;
+  jitter.reserve(2 * static_cast<std::size_t>(width * height));
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      jitter.push_back(static_cast<float>(config.lateral_noise_px * scale * noise_u.At(u, v)));
+      jitter.push_back(static_cast<float>(config.lateral_noise_px * scale * noise_v.At(u, v)));
+    }
+  }
+  return jitter;
 }
+
+template <class Measure>
+void FillDepth(const SensorConfig& config, const Measure& measure, DepthImage& image) {
+  const CameraIntrinsics& k = image.intrinsics;
+  for (int v = 0, pixel = 0; v < k.height; ++v) {
+    for (int u = 0; u < k.width; ++u, ++pixel) {
+      const double depth = measure(u, v, static_cast<std::size_t>(pixel));
+      if (depth < config.min_range_m || depth > config.max_range_m) continue;
+      image.depth[static_cast<std::size_t>(pixel)] =
+          static_cast<std::uint16_t>(std::lround(depth * 1000));
+    }
+  }
+}
+
+}  // namespace
 
 double AxialSigma(double depth_m, double incidence_rad) {
   const double beyond = depth_m - 0.4;
@@ -108,56 +144,38 @@ SensorImage TakePicture(const RayCaster& caster, const CameraIntrinsics& intrins
                         const Eigen::Isometry3d& T_world_camera, const SensorConfig& config,
                         std::uint64_t seed) {
   const int width = intrinsics.width, height = intrinsics.height;
-  const double spacing = kLatticeAt640 * width / 640;
-  const auto field = [&](std::uint64_t kind) {
-    return SmoothField(MixBits(seed + kind), width, height, spacing);
-  };
-  const SmoothField noise_u = field(1), noise_v = field(2), noise_z = field(3), loss = field(4);
-  std::vector<float> jitter;
-  if (config.noise) {
-    const double sigma = config.lateral_noise_px * width / 640;
-    jitter.reserve(2 * static_cast<std::size_t>(width * height));
-    for (int v = 0; v < height; ++v) {
-      for (int u = 0; u < width; ++u) {
-        jitter.push_back(static_cast<float>(sigma * noise_u.At(u, v)));
-        jitter.push_back(static_cast<float>(sigma * noise_v.At(u, v)));
-      }
-    }
-  }
   // Seen from the camera, the projector is to its right: shadows fall to the left of things.
   const IdealView view =
-      caster.Render(intrinsics, T_world_camera, jitter, {config.baseline_m, 0, 0});
+      caster.Render(intrinsics, T_world_camera, LateralNoise(config, width, height, seed),
+                    {config.baseline_m, 0, 0});
   SensorImage image;
   image.depth.intrinsics = intrinsics;
   image.depth.depth_unit_m = 0.001;
   image.depth.depth.assign(view.depth_m.size(), 0);
   image.labels = view.label;
-  constexpr double kNegligibleLoss = 0.002;  // no lattice node is that unlikely
-  const std::uint64_t own_seed = MixBits(seed + 5);
-  const double focal_times_baseline = config.correlation_focal_px * config.baseline_m;
-  for (int v = 0, i = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u, ++i) {
-      const auto pixel = static_cast<std::size_t>(i);
-      double depth = view.depth_m[pixel];
-      if (depth <= 0) continue;
-      if (config.noise) {
-        if (view.lit[pixel] == 0) continue;
-        double lost = LossProbability(depth, view.cosine[pixel], view.albedo[pixel] / 255.0);
-        if (AtEdge(view, width, height, u, v)) lost += kEdgeLoss * (1 - lost);
-        if (lost > kNegligibleLoss && NormalShareBelow(loss.At(u, v)) < lost) continue;
-        const double incidence = std::acos(std::min(1.0f, view.cosine[pixel]));
-        const double sigma = config.axial_noise_scale * AxialSigma(depth, incidence);
-        const double own = NormalFromBits(MixBits(own_seed + static_cast<std::uint64_t>(i)));
-        const double error = sigma * (kSharedNoise * noise_z.At(u, v) + kOwnNoise * own);
-        double disparity = focal_times_baseline / (depth + error);
-        disparity = std::round(disparity / config.disparity_step_px) * config.disparity_step_px;
-        if (disparity <= 0) continue;
-        depth = focal_times_baseline / disparity;
-      }
-      if (depth < config.min_range_m || depth > config.max_range_m) continue;
-      image.depth.depth[pixel] = static_cast<std::uint16_t>(std::lround(depth * 1000));
-    }
+  if (!config.noise) {
+    FillDepth(
+        config, [&](int, int, std::size_t pixel) { return view.depth_m[pixel]; }, image.depth);
+    return image;
   }
+  const Losses losses(view, width, height, config, seed);
+  const NoiseField warp(MixBits(config.device_seed + 8), width, height, 110.0 * width / 640);
+  const auto fill = [&](const auto& sensor) {
+    FillDepth(
+        config,
+        [&](int u, int v, std::size_t pixel) {
+          const double depth = view.depth_m[pixel];
+          if (depth <= 0 || losses.At(u, v)) return -1.0;
+          const double warped =
+              config.depth_scale * depth + config.depth_warp_m * depth * depth * warp.At(u, v);
+          return sensor.Measure(u, v, warped);
+        },
+        image.depth);
+  };
+  if (config.kind == SensorKind::kStructuredLight)
+    fill(Disparity(view, width, height, config, seed));
+  else
+    fill(TimeOfFlight(view, intrinsics, config, seed));
   return image;
 }
 

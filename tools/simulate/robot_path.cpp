@@ -131,20 +131,22 @@ std::vector<RobotPose> Drive(const PathConfig& config, const FreeSpace& space,
   return path;
 }
 
-// Share of the frames in which the target is in view at a useful distance, plus a little for
+struct Distances {
+  double nearest, farthest;  // [m]
+};
+
+// Share of the frames in which the target is in view at the wanted distance, plus a little for
 // moving.
 double Score(const PathConfig& config, const std::vector<RobotPose>& path,
-             const Eigen::Vector2d& target) {
-  constexpr double kNearest = 1.0,
-                   kFarthest = 3.8;     // [m], where a person on the floor fills the view
+             const Eigen::Vector2d& target, const Distances& wanted) {
   constexpr double kMovingWorth = 0.1;  // of the score, for each metre driven, up to two
   double in_view = 0, driven = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Eigen::Vector2d offset(target.x() - path[i].x, target.y() - path[i].y);
     const double bearing = std::abs(WrapAngle(std::atan2(offset.y(), offset.x()) - path[i].yaw));
     const double distance = offset.norm();
-    if (bearing < 0.8 * config.half_field_of_view_rad && distance > kNearest &&
-        distance < kFarthest)
+    if (bearing < 0.8 * config.half_field_of_view_rad && distance > wanted.nearest &&
+        distance < wanted.farthest)
       ++in_view;
     if (i > 0) driven += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
   }
@@ -160,11 +162,14 @@ std::vector<RobotPose> DrawPath(const PathConfig& config, const ColumnGrid& grid
   const FreeSpace space(config, grid, room_size);
   if (space.empty()) return std::vector<RobotPose>(static_cast<std::size_t>(config.frames));
   if (!target) return Drive(config, space, target, random);
+  // From where a person fills the view to where there is little of one.
+  constexpr Distances kDistances[] = {{0.9, 2.4}, {1.5, 3.2}, {2.2, 4.4}, {2.2, 4.4}};
+  const Distances wanted = kDistances[random.Index(std::size(kDistances))];
   std::vector<RobotPose> best;
   double best_score = -1;
   for (int i = 0; i < kDrives; ++i) {
     std::vector<RobotPose> path = Drive(config, space, target, random);
-    const double score = Score(config, path, *target);
+    const double score = Score(config, path, *target, wanted);
     if (score <= best_score) continue;
     best_score = score;
     best = std::move(path);

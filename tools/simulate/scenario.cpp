@@ -63,6 +63,8 @@ void Scenario::Validate() const {
   Require(rate_hz > 0 && rate_hz <= 100, "rate_hz", rate_hz, "a number in (0, 100]");
   Require(max_speed_m_s >= 0 && max_speed_m_s <= 2, "max_speed_m_s", max_speed_m_s, "0 to 2");
   Require(width == 320 || width == 640, "width", width, "320 or 640");
+  Require(sensor_variation >= 0 && sensor_variation <= 1, "sensor_variation", sensor_variation,
+          "0 to 1");
   Require(camera_height_m >= 0.3 && camera_height_m <= 1.6, "camera_height_m", camera_height_m,
           "0.3 to 1.6");
   Require(camera_pitch_deg >= 0 && camera_pitch_deg <= 45, "camera_pitch_deg", camera_pitch_deg,

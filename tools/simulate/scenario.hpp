@@ -11,6 +11,7 @@
 #include "tools/simulate/furniture_catalogue.hpp"
 #include "tools/simulate/lying_poses.hpp"
 #include "tools/simulate/person_placement.hpp"
+#include "tools/simulate/sensor_model.hpp"
 
 namespace fallen::sim {
 
@@ -35,6 +36,8 @@ struct Scenario {
   double rate_hz = 10;
   double max_speed_m_s = 0.6;
   int width = 320;  ///< 320 or 640
+  SensorKind sensor = SensorKind::kStructuredLight;
+  double sensor_variation = 0;  ///< 0: as in the data sheet; 1: any copy, see DrawSensor
   double camera_height_m = 1.1;
   double camera_pitch_deg = 25;  ///< downwards
   std::string camera = "CAMERA";
@@ -60,6 +63,8 @@ struct Scenario {
     visit("rate_hz", rate_hz);
     visit("max_speed_m_s", max_speed_m_s);
     visit("width", width);
+    visit("sensor", sensor);
+    visit("sensor_variation", sensor_variation);
     visit("camera_height_m", camera_height_m);
     visit("camera_pitch_deg", camera_pitch_deg);
     visit("camera", camera);

@@ -72,6 +72,8 @@ Eigen::Isometry3d ToTransform(const RobotPose& pose) {
 
 Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenario_(scenario) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  sensor_ = DrawSensor(scenario.sensor, scenario.width, scenario.sensor_variation, seed);
+  sensor_.config.noise = scenario.noise;
   if (scenario.furnished) {
     scene_ = FurnishRoom(scenario.room, scenario.furniture_pool, assets.furniture, scenario.clutter)
                  .scene;
@@ -89,6 +91,7 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   path.frames = scenario.frames;
   path.rate_hz = scenario.rate_hz;
   path.max_speed_m_s = scenario.max_speed_m_s;
+  path.half_field_of_view_rad = std::atan(scenario.width / 2.0 / sensor_.intrinsics.fx);
   path.robot_height_m = scenario.camera_height_m + 0.1;
   Random random = Random::Stream(seed, "path");
   path_ = DrawPath(path, grid, scene_.room_size, target, random);
@@ -166,11 +169,10 @@ Frame Simulation::TakeFrame(int index) const {
   frame.utime = kEpochUtime + std::llround(index / scenario_.rate_hz * 1e6);
   frame.true_pose = path_[i];
   frame.told_pose = told_path_[i];
-  SensorConfig sensor;
-  sensor.noise = scenario_.noise;
   const std::uint64_t seed = MixBits(MixBits(static_cast<std::uint64_t>(scenario_.seed)) + i);
-  frame.image = TakePicture(*caster_, SensorIntrinsics(scenario_.width),
-                            ToTransform(frame.true_pose) * true_T_robot_camera_, sensor, seed);
+  frame.image =
+      TakePicture(*caster_, sensor_.intrinsics, ToTransform(frame.true_pose) * true_T_robot_camera_,
+                  sensor_.config, seed);
   return frame;
 }
 

@@ -64,6 +64,7 @@ class Simulation {
   std::optional<Eigen::Vector2d> DrawTarget(Random random) const;
 
   Scenario scenario_;
+  Sensor sensor_;
   Scene scene_;
   std::optional<std::size_t> person_;
   SettledPose settled_;

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "tools/simulate/time_of_flight.hpp"
+
 namespace fallen::sim {
 namespace {
 
@@ -138,6 +140,76 @@ TEST(DepthSensor, IsDeterministicInItsSeed) {
 
 TEST(DepthSensor, RefusesAWidthThatTheSensorHasNot) {
   EXPECT_THROW(SensorIntrinsics(800), std::invalid_argument);
+}
+
+SensorImage TimeOfFlightPicture(const Scene& scene, SensorConfig config) {
+  config.kind = SensorKind::kTimeOfFlight;
+  return TakePicture(RayCaster(scene), SensorIntrinsics(320, config.kind),
+                     Eigen::Isometry3d::Identity(), config, 5);
+}
+
+TEST(TimeOfFlight, WeakLightIsNoisier) {
+  const auto spread = [](double albedo) {
+    SensorConfig config = NominalSensor(SensorKind::kTimeOfFlight);
+    config.wiggle_m = 0;
+    const SensorImage image = TimeOfFlightPicture(WallAt(2, albedo), config);
+    double squares = 0;
+    int count = 0;
+    for (const std::uint16_t depth : image.depth.depth) {
+      if (depth == 0) continue;
+      squares += (depth * 0.001 - 2) * (depth * 0.001 - 2);
+      ++count;
+    }
+    return std::sqrt(squares / count);
+  };
+  // Straight ahead, A = albedo / 4; towards the corners there is less light.
+  EXPECT_GT(spread(0.8), TimeOfFlightSigma(0.2));
+  EXPECT_LT(spread(0.8), 2 * TimeOfFlightSigma(0.2));
+  EXPECT_GT(spread(0.1), 2 * spread(0.8));
+}
+
+TEST(TimeOfFlight, EdgePixelsFlyBetweenNearAndFar) {
+  Scene scene = WallAt(3);
+  scene.objects.push_back(PlaceObject("box", "b", MakeBox({0.6, 0.6, 0.02}, 0.8), {0, 0, 1.5}, 0));
+  const auto flying = [&](double share) {
+    SensorConfig config = NominalSensor(SensorKind::kTimeOfFlight);
+    config.edge_loss = 0;
+    config.flying_share = share;
+    const SensorImage image = TimeOfFlightPicture(scene, config);
+    int count = 0;
+    for (const std::uint16_t depth : image.depth.depth) count += depth > 1600 && depth < 2900;
+    return count;
+  };
+  EXPECT_EQ(flying(0), 0);
+  EXPECT_GT(flying(0.8), 150);  // the rim is some 360 pixels long, on either side
+}
+
+TEST(TimeOfFlight, CornersSeemFartherAwayThanTheyAre) {
+  // Two walls that meet in a corner, straight ahead.
+  Scene scene;
+  for (const double side : {-1.0, 1.0}) {
+    TriangleMesh wall = MakeBox({8, 8, 0.02}, 0.8);
+    wall.Transform(
+        Eigen::Translation3f(0, 0, 2.5f) *
+        Eigen::AngleAxisf(static_cast<float>(side * M_PI / 4), Eigen::Vector3f::UnitY()));
+    scene.shell.Append(wall);
+  }
+  const auto middle = [&](double multipath) {
+    SensorConfig config = NominalSensor(SensorKind::kTimeOfFlight);
+    config.multipath = multipath;
+    const SensorImage image = TimeOfFlightPicture(scene, config);
+    double sum = 0;
+    int count = 0;
+    for (int v = 40; v < 200; ++v) {
+      for (int u = 158; u < 162; ++u) {
+        const std::uint16_t depth = image.depth.depth[static_cast<std::size_t>(v * 320 + u)];
+        sum += depth;
+        count += depth != 0;
+      }
+    }
+    return sum / count;
+  };
+  EXPECT_GT(middle(0.3), middle(0) + 3);  // [mm]
 }
 
 }  // namespace
