@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "fallen/geometry/mounting.hpp"
+
 namespace fallen {
 namespace {
 
@@ -37,6 +39,11 @@ void CaptureConfig::Validate() const {
   if (!(longest_retry_s >= first_retry_s))
     throw std::invalid_argument("capture: longest_retry_s is " + std::to_string(longest_retry_s) +
                                 ", must be at least first_retry_s");
+}
+
+std::optional<Eigen::Isometry3d> CaptureConfig::T_robot_camera() const {
+  if (!mounting_position_m || !mounting_roll_pitch_yaw_deg) return std::nullopt;
+  return T_robot_cameraFromMounting(*mounting_position_m, *mounting_roll_pitch_yaw_deg);
 }
 
 }  // namespace fallen

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <string>
@@ -31,6 +32,8 @@ struct CaptureConfig {
 
   /// @throws std::invalid_argument for the first value out of range.
   void Validate() const;
+  /// The mounting as a pose of the optical frame on the robot; nothing if it is not known.
+  std::optional<Eigen::Isometry3d> T_robot_camera() const;
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("device_uri", device_uri);

@@ -42,7 +42,7 @@ struct CapturePlan {
   std::optional<std::filesystem::path> file;  ///< a recording in place of a camera
   bool loop = false;
   bool as_fast_as_possible = false;
-  /// Time of the recording's first instant [us since the epoch].
+  /// Time of the recording's first image [us since the epoch].
   std::int64_t epoch_us = 0;
 };
 

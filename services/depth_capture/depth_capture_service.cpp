@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fallen/service/channels.hpp"
-#include "services/depth_capture/mounting.hpp"
 #include "services/depth_capture/openni_camera.hpp"
 #include "services/depth_capture/openni_session.hpp"
 #include "services/depth_capture/raw_depth_frame.hpp"
@@ -82,10 +81,10 @@ std::int64_t NowUs() {
 
 DepthCaptureService::DepthCaptureService(lcm::LCM& lcm, const std::string& camera_name,
                                          const CapturePlan& plan)
-    : camera_name_(camera_name), plan_(plan), reporter_(lcm, kService, camera_name) {
-  if (plan.config.mounting_position_m)
-    T_robot_camera_ = T_robot_cameraFromMounting(*plan.config.mounting_position_m,
-                                                 *plan.config.mounting_roll_pitch_yaw_deg);
+    : camera_name_(camera_name),
+      plan_(plan),
+      reporter_(lcm, kService, camera_name),
+      T_robot_camera_(plan.config.T_robot_camera()) {
   if (plan.file) {
     file_.emplace(*plan.file);
     return;
@@ -136,7 +135,6 @@ void DepthCaptureService::Play(const std::function<bool()>& stop_arrived) {
   const OpenNiSession session;  // across loops: starting OpenNI2 looks for cameras each time
   reporter_.SetState(ServiceState::kRunning, "playing " + plan_.file->string());
   const Clock::time_point start = Clock::now();
-  std::optional<std::int64_t> first_us;
   while (!stop_arrived()) {
     reporter_.PublishStatusIfDue();
     const Clock::time_point begin = Clock::now();
@@ -147,8 +145,7 @@ void DepthCaptureService::Play(const std::function<bool()>& stop_arrived) {
       file_.emplace(*plan_.file);
       continue;
     }
-    if (!first_us) first_us = frame->header.utime;
-    const std::int64_t since_first_us = frame->header.utime + loop_offset_us_ - *first_us;
+    const std::int64_t since_first_us = frame->header.utime + loop_offset_us_;
     if (!plan_.as_fast_as_possible &&
         !WaitUntil(start + std::chrono::microseconds(since_first_us), stop_arrived))
       return;

@@ -39,7 +39,7 @@ class DepthCaptureService {
   const std::string camera_name_;
   const CapturePlan plan_;
   ServiceReporter reporter_;
-  std::optional<Eigen::Isometry3d> T_robot_camera_;
+  const std::optional<Eigen::Isometry3d> T_robot_camera_;
   std::int64_t seq_ = 0;
 
   std::optional<CameraKeeper> keeper_;  // with a camera

@@ -138,8 +138,9 @@ std::optional<StampedDepthImage> OniFile::Next() {
   } catch (const std::runtime_error& error) {
     refuse(error.what());
   }
-  result.header = {state.options.epoch_us + got.time_us, static_cast<std::int64_t>(state.position),
-                   state.options.sensor_name};
+  const std::int64_t since_first_us = got.time_us - state.index.frames.front().time_us;
+  result.header = {state.options.epoch_us + since_first_us,
+                   static_cast<std::int64_t>(state.position), state.options.sensor_name};
   result.T_robot_camera = state.options.T_robot_camera;
   ++state.position;
   return result;

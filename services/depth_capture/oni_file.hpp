@@ -15,8 +15,8 @@ namespace fallen {
 
 /// What an .oni file does not say about itself.
 struct OniFileOptions {
-  /// Time of the recording's first instant [us since the epoch]: a recording holds no date, its
-  /// clock starts at 0. Times are this plus the recorded ones, so that every replay gives the same.
+  /// Time of the recording's first image [us since the epoch]: a recording holds no date. Those of
+  /// the others follow from the recorded ones, so that every replay gives the same.
   std::int64_t epoch_us = 0;
   std::string sensor_name = "CAMERA";
   std::optional<Eigen::Isometry3d> T_robot_camera;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fallen/service/configuration.hpp"
 #include "tools/common/partial_file.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/detect/frame_pacer.hpp"
@@ -67,7 +68,9 @@ std::string Note(const DetectSummary& summary) {
 
 DetectSummary RunDetect(const DetectOptions& options) {
   Detector detector = MakeDetector(options.detector);
-  const std::unique_ptr<FrameSource> recording = OpenFrameSource(options.input, options.camera);
+  const CaptureConfig capture = LoadConfiguration(options.detector.config).capture;
+  const std::unique_ptr<FrameSource> recording =
+      OpenFrameSource(options.input, options.camera, capture.T_robot_camera());
   LineWriter lines(options.json);
   std::unique_ptr<ResultLog> log;
   if (options.output) log = std::make_unique<ResultLog>(*options.output, recording->camera());

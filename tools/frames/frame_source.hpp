@@ -48,9 +48,13 @@ class FrameSource {
 /// Opens an LCM log, an `.oni` file or a directory as fallen-import reads it.
 ///
 /// @param camera  Which camera of a log; nothing: its only one. Names the frames of other inputs.
+/// @param T_robot_camera  Mounting for an `.oni` file, which holds none; nothing: not known. The
+/// others
+///                        hold their own.
 /// @throws std::runtime_error if the input cannot be opened, holds no depth image, or holds several
 /// cameras and none is chosen.
-std::unique_ptr<FrameSource> OpenFrameSource(const std::filesystem::path& input,
-                                             const std::optional<std::string>& camera = {});
+std::unique_ptr<FrameSource> OpenFrameSource(
+    const std::filesystem::path& input, const std::optional<std::string>& camera = {},
+    const std::optional<Eigen::Isometry3d>& T_robot_camera = {});
 
 }  // namespace fallen

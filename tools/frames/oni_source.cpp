@@ -10,16 +10,22 @@
 namespace fallen {
 namespace {
 
-OniFileOptions Named(const std::string& camera) {
-  OniFileOptions options;
-  options.sensor_name = camera;
-  return options;
+/// A mounting as it arrives at the other end of a channel: rotations travel as quaternions, which
+/// costs the last bits.
+std::optional<Eigen::Isometry3d> AsSent(const std::optional<Eigen::Isometry3d>& T_robot_camera) {
+  StampedDepthImage carrier;
+  carrier.image.intrinsics = {1, 1, 1, 1, 0, 0};
+  carrier.image.depth = {0};
+  carrier.T_robot_camera = T_robot_camera;
+  return FromMessage(ToMessage(carrier)).T_robot_camera;
 }
 
 }  // namespace
 
-OniSource::OniSource(const std::filesystem::path& file, const std::string& camera)
-    : file_(file, Named(camera)), camera_(camera) {}
+OniSource::OniSource(const std::filesystem::path& file, const std::string& camera,
+                     const std::optional<Eigen::Isometry3d>& T_robot_camera)
+    : file_(file, {.sensor_name = camera, .T_robot_camera = AsSent(T_robot_camera)}),
+      camera_(camera) {}
 
 std::optional<Frame> OniSource::Next() {
   if (is_at_end_) return std::nullopt;

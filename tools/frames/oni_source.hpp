@@ -7,11 +7,13 @@
 
 namespace fallen {
 
-/// Frames of an OpenNI2 recording; it knows neither poses nor a mounting.
+/// Frames of an OpenNI2 recording, as fallen-depth-capture sends them; it knows no poses.
 class OniSource : public FrameSource {
  public:
+  /// @param T_robot_camera  Mounting, which the file does not know.
   /// @throws std::runtime_error if the file is not whole.
-  OniSource(const std::filesystem::path& file, const std::string& camera);
+  OniSource(const std::filesystem::path& file, const std::string& camera,
+            const std::optional<Eigen::Isometry3d>& T_robot_camera);
 
   std::optional<Frame> Next() override;
   std::optional<GroundTruth> Truth(const Frame&) override { return std::nullopt; }

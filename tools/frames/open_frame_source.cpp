@@ -24,10 +24,11 @@ bool IsOniFile(const std::filesystem::path& file) {
   return start == kMagic || file.extension() == ".oni";
 }
 
-std::unique_ptr<FrameSource> OpenOni(const std::filesystem::path& file,
-                                     [[maybe_unused]] const std::string& camera) {
+std::unique_ptr<FrameSource> OpenOni(
+    const std::filesystem::path& file, [[maybe_unused]] const std::string& camera,
+    [[maybe_unused]] const std::optional<Eigen::Isometry3d>& T_robot_camera) {
 #ifdef FALLEN_HAVE_OPENNI2
-  return std::make_unique<OniSource>(file, camera);
+  return std::make_unique<OniSource>(file, camera, T_robot_camera);
 #else
   throw std::runtime_error(file.string() +
                            ": got an .oni recording, expected a log or a directory: this build is "
@@ -37,14 +38,15 @@ std::unique_ptr<FrameSource> OpenOni(const std::filesystem::path& file,
 
 }  // namespace
 
-std::unique_ptr<FrameSource> OpenFrameSource(const std::filesystem::path& input,
-                                             const std::optional<std::string>& camera) {
+std::unique_ptr<FrameSource> OpenFrameSource(
+    const std::filesystem::path& input, const std::optional<std::string>& camera,
+    const std::optional<Eigen::Isometry3d>& T_robot_camera) {
   if (!std::filesystem::exists(input))
     throw std::runtime_error(
         input.string() + ": got no such file, expected an LCM log, an .oni file or a directory");
   const std::string name = camera.value_or(channels::kDefaultCamera);
   if (std::filesystem::is_directory(input)) return std::make_unique<DirectorySource>(input, name);
-  if (IsOniFile(input)) return OpenOni(input, name);
+  if (IsOniFile(input)) return OpenOni(input, name, T_robot_camera);
   return std::make_unique<LogSource>(input, camera);
 }
 

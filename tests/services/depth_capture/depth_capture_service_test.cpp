@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "services/depth_capture/depth_mode.hpp"
-#include "services/depth_capture/mounting.hpp"
 #include "tests/services/depth_capture/virtual_camera_control.hpp"
 
 namespace fallen {
@@ -177,8 +176,7 @@ TEST(DepthCaptureServiceTest, PublishesWhatTheCameraSeesBitForBit) {
     EXPECT_LE(frame.header.utime, NowUs());
     last_utime = frame.header.utime;
     ASSERT_TRUE(frame.T_robot_camera);
-    EXPECT_TRUE(
-        frame.T_robot_camera->isApprox(T_robot_cameraFromMounting({0.1, 0, 0.95}, {0, 15, 0})));
+    EXPECT_TRUE(frame.T_robot_camera->isApprox(*plan.config.T_robot_camera()));
   }
   EXPECT_EQ(service.status.state, service_status_t::STOPPING);
   EXPECT_EQ(service.status.service, "depth-capture");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "services/depth_capture/mounting.hpp"
+#include "fallen/geometry/mounting.hpp"
 
 #include <numbers>
 
