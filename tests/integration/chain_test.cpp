@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "fallen/messages/model_files.hpp"
-#include "fallen/service/channels.hpp"
+#include "tests/integration/chain_checks.hpp"
 #include "tests/integration/service_chain.hpp"
 #include "tests/support/log_detection.hpp"
 #include "tests/support/synthetic_model.hpp"
@@ -55,19 +57,6 @@ class Chain : public testing::Test {
     }
   }
 
-  /// The same for what fallen-detect, a program by itself, makes of the recording.
-  void ExpectSameAsTheTool(ServiceChain& chain) {
-    const std::filesystem::path results = folder_ / "detect.lcm";
-    const Outcome tool =
-        RunToEnd({Program("fallen-detect"), recording_.string(), "--model", model_.string(),
-                  "--json", (folder_ / "persons.json").string(), "--output", results.string()},
-                 folder_.path(), std::chrono::seconds(120));
-    ASSERT_EQ(tool.exit_status, 0) << tool.standard_error;
-    for (const Stage& stage : kStages)
-      EXPECT_TRUE(chain.recorder().Bytes(stage.output) == BytesInLog(results, stage.output))
-          << stage.service;
-  }
-
   TestFolder folder_;
   std::filesystem::path recording_;
   std::filesystem::path model_;
@@ -77,7 +66,7 @@ TEST_F(Chain, SeparateProcessesAndOneProcessAgreeBitForBit) {
   UseSyntheticRecording();
   ServiceChain chain(model_);
   ExpectSameAsTheDetector(chain);
-  ExpectSameAsTheTool(chain);
+  ExpectSameAsTheTool(chain, {Program("fallen-detect"), recording_, "--model", model_});
   bool has_hypothesis = false;
   for (const auto& persons : chain.recorder().Messages<fallen_persons_t>(kPersons))
     has_hypothesis = has_hypothesis || persons.count > 0;
@@ -92,7 +81,7 @@ TEST_F(Chain, SeparateProcessesAndOneProcessAgreeOnTheDemoRecording) {
     GTEST_SKIP() << "recordings/demo.lcm or models/fallen.model is not there";
   ServiceChain chain(model_);
   ExpectSameAsTheDetector(chain);
-  ExpectSameAsTheTool(chain);
+  ExpectSameAsTheTool(chain, {Program("fallen-detect"), recording_, "--model", model_});
   chain.StopAll();
 }
 
@@ -102,29 +91,14 @@ TEST_F(Chain, AnyRecordedChannelReplaysIntoItsServiceWithTheSameResult) {
   ServiceChain chain(model_);
   chain.StartAll();
   {
-    ChildProcess logger({"lcm-logger", "-q", "-f", "--lcm-url=" + chain.url(), run_log.string()},
-                        folder_.path());
-    chain.recorder().HandleFor(milliseconds(500));  // no late joining
+    ChildProcess logger = chain.StartLogger(run_log);
     chain.Play(recording_, kChainInputs);
     ASSERT_TRUE(chain.WaitForMessages(kPersons, kFrames));
     chain.recorder().HandleFor(milliseconds(1500));
     EXPECT_EQ(logger.Stop(), 0);
   }
   chain.StopAll();
-  for (const Stage& stage : kStages) {
-    SCOPED_TRACE(stage.service);
-    const auto recorded = BytesInLog(run_log, stage.output);
-    ASSERT_EQ(recorded.size(), static_cast<std::size_t>(kFrames));
-    EXPECT_FALSE(BytesInLog(run_log, channels::Status(stage.service)).empty());
-    chain.recorder().Clear();
-    chain.Start(stage);
-    chain.Play(run_log, stage.inputs);
-    EXPECT_TRUE(chain.WaitForMessages(stage.output, recorded.size()))
-        << chain.recorder().Count(stage.output) << " of " << recorded.size() << "\n"
-        << chain.process(stage.service).StandardError();
-    EXPECT_TRUE(chain.recorder().Bytes(stage.output) == recorded);
-    chain.StopAll();
-  }
+  ExpectEachChannelReplays(chain, run_log, kFrames);
 }
 
 TEST_F(Chain, ServiceThatIsKilledAndStartedAgainHurtsNoOther) {
@@ -176,11 +150,10 @@ TEST_F(Chain, WorkersShareTheFramesBetweenThem) {
   chain.recorder().HandleFor(milliseconds(1500));
   chain.Play(stages, stage.inputs);
   EXPECT_TRUE(chain.WaitForMessages(stage.output, kFrames));
-  std::vector<std::vector<std::uint8_t>> results = chain.recorder().Bytes(stage.output);
-  std::vector<std::vector<std::uint8_t>> expected = BytesInLog(stages, stage.output);
-  std::sort(results.begin(), results.end());
-  std::sort(expected.begin(), expected.end());
-  EXPECT_TRUE(results == expected) << "every frame once";
+  const auto& results = chain.recorder().Bytes(stage.output);
+  const auto expected = BytesInLog(stages, stage.output);
+  EXPECT_TRUE(std::is_permutation(results.begin(), results.end(), expected.begin(), expected.end()))
+      << "every frame once";
   EXPECT_EQ(second.Stop(), 0);
   chain.StopAll();
 }

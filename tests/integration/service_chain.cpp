@@ -13,7 +13,9 @@ using std::chrono::seconds;
 // Generous: the machine may be busy with other tests.
 constexpr seconds kStartTimeout{30};
 constexpr seconds kResultTimeout{30};
-constexpr seconds kPlayTimeout{120};
+constexpr seconds kRunTimeout{120};
+/// In which lcm-logger, which does not say when it is ready, has subscribed.
+constexpr std::chrono::milliseconds kJoinTime{500};
 
 }  // namespace
 
@@ -29,13 +31,15 @@ TestFolder::~TestFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-ServiceChain::ServiceChain(const std::filesystem::path& model)
-    : url_(EnterPrivateNetwork()), model_(model), recorder_(url_) {}
+ServiceChain::ServiceChain(const std::filesystem::path& model,
+                           const std::filesystem::path& configuration)
+    : url_(EnterPrivateNetwork()), model_(model), configuration_(configuration), recorder_(url_) {}
 
 void ServiceChain::Start(const Stage& stage, const std::vector<std::string>& more_arguments) {
   std::vector<std::string> command{Program("fallen-" + stage.service), "--lossless", "--lcm-url",
                                    url_};
   if (stage.needs_model) command.insert(command.end(), {"--model", model_.string()});
+  if (!configuration_.empty()) command.insert(command.end(), {"--config", configuration_.string()});
   command.insert(command.end(), more_arguments.begin(), more_arguments.end());
   const auto started =
       processes_.emplace(stage.service, ChildProcess(command, folder_.path())).first;
@@ -49,19 +53,29 @@ void ServiceChain::StartAll() {
   for (const Stage& stage : kStages) Start(stage);
 }
 
-void ServiceChain::Play(const std::filesystem::path& log, const std::string& channels) {
-  ChildProcess player({"lcm-logplayer", "--lcm-url=" + url_, "-e", channels, log.string()},
-                      folder_.path());
+void ServiceChain::Run(const std::vector<std::string>& command) {
+  ChildProcess program(command, folder_.path());
   std::optional<int> exit_status;
   const bool has_ended = recorder_.HandleUntil(
-      [&] { return (exit_status = player.WaitForExit(std::chrono::milliseconds(0))).has_value(); },
-      kPlayTimeout);
+      [&] { return (exit_status = program.WaitForExit(std::chrono::milliseconds(0))).has_value(); },
+      kRunTimeout);
   EXPECT_TRUE(has_ended);
-  EXPECT_EQ(exit_status, 0) << player.StandardError();
+  EXPECT_EQ(exit_status, 0) << program.StandardError();
+}
+
+void ServiceChain::Play(const std::filesystem::path& log, const std::string& channels) {
+  Run({"lcm-logplayer", "--lcm-url=" + url_, "-e", channels, log.string()});
 }
 
 bool ServiceChain::WaitForMessages(const std::string& channel, std::size_t count) {
   return recorder_.HandleUntil([&] { return recorder_.Count(channel) >= count; }, kResultTimeout);
+}
+
+ChildProcess ServiceChain::StartLogger(const std::filesystem::path& log) {
+  ChildProcess logger({"lcm-logger", "-q", "-f", "--lcm-url=" + url_, log.string()},
+                      folder_.path());
+  recorder_.HandleFor(kJoinTime);
+  return logger;
 }
 
 void ServiceChain::StopAll() {

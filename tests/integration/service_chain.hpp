@@ -38,12 +38,17 @@ class TestFolder {
 /// Services of ours as separate processes on a private network, and somebody who listens.
 class ServiceChain {
  public:
-  /// @param model  File for the stages that need one.
-  explicit ServiceChain(const std::filesystem::path& model);
+  /// @param model          File for the stages that need one.
+  /// @param configuration  File for all of them; empty: none.
+  explicit ServiceChain(const std::filesystem::path& model,
+                        const std::filesystem::path& configuration = {});
 
   /// Starts a service, lossless, and waits for its first status.
   void Start(const Stage& stage, const std::vector<std::string>& more_arguments = {});
   void StartAll();
+
+  /// Runs a program to its end while listening. Expects exit status 0.
+  void Run(const std::vector<std::string>& command);
 
   /// Plays a log at its own speed with lcm-logplayer while listening.
   /// @param channels  Regular expression of the channels to play.
@@ -51,6 +56,9 @@ class ServiceChain {
 
   /// Listens until `channel` has had so many messages.
   bool WaitForMessages(const std::string& channel, std::size_t count);
+
+  /// Records all channels with lcm-logger from now on, until it is stopped.
+  ChildProcess StartLogger(const std::filesystem::path& log);
 
   /// SIGTERM to all, in order, so that each still hears the one before. Expects exit status 0 of
   /// each.
@@ -65,6 +73,7 @@ class ServiceChain {
  private:
   const std::string url_;
   std::filesystem::path model_;
+  std::filesystem::path configuration_;
   TestFolder folder_;
   LcmRecorder recorder_;
   std::map<std::string, ChildProcess> processes_;
