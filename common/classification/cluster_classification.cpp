@@ -42,6 +42,12 @@ PersonHypothesis Judge(const SegmentedMap& segmented, const CellCluster& cluster
 
 }  // namespace
 
+bool Decision::operator==(const Decision& other) const {
+  return frame == other.frame && T_map_camera.matrix() == other.T_map_camera.matrix() &&
+         view == other.view && min_probability == other.min_probability &&
+         hypotheses == other.hypotheses;
+}
+
 void ClusterModel::Validate() const {
   iron.Validate();
   if (codebook.rows() < 1) Fail("the codebook is empty");
@@ -73,6 +79,8 @@ Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& mod
 
   Decision decision;
   decision.frame = segmented.frame;
+  decision.T_map_camera = segmented.T_map_camera;
+  decision.view = segmented.view;
   decision.min_probability = model.calibration.MinProbability(config.false_positives_per_frame);
   for (const CellCluster& cluster : segmented.clusters)
     decision.hypotheses.push_back(Judge(segmented, cluster, model, decision.min_probability));

@@ -50,10 +50,12 @@ struct PersonHypothesis {
 /// The decision about one frame: every cluster, best first (ties: the order of the clusters).
 struct Decision {
   MapFrame frame = MapFrame::kCamera;
+  Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+  CameraView view;               ///< what the newest frame could see
   double min_probability = 0.5;  ///< threshold in force
   std::vector<PersonHypothesis> hypotheses;
 
-  bool operator==(const Decision&) const = default;
+  bool operator==(const Decision& other) const;
 };
 
 /// Judges every cluster (the paper, Sec. III-E and III-F).

@@ -22,6 +22,7 @@ NdtMap UpdateMap(NdtMapper& mapper, const Frame& frame, const GroundConfig& conf
   const GroundEstimate ground = EstimateGround(frame.image, frame.T_robot_camera, config);
   const double ground_ms = stopwatch.LapMilliseconds();
   NdtMap map = mapper.Update(frame.utime, frame.image, CameraPose(frame), ground);
+  map.view = MakeCameraView(frame.image);
   const double ndt_ms = stopwatch.LapMilliseconds();
   if (milliseconds) {
     milliseconds->ground = ground_ms;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "fallen/messages/camera_view_conversion.hpp"
 #include "fallen/messages/conversions.hpp"
 #include "fallen/messages/map_conversion.hpp"
 #include "fallen/messages/message_checks.hpp"
@@ -100,6 +101,7 @@ clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
   message.cell_size_m = segmented.cell_size_m;
   message.frame = static_cast<std::int32_t>(segmented.frame);
   TransformToMessage(segmented.T_map_camera, message.T_map_camera);
+  message.view = ViewToMessage(kClusters + ".view", segmented.view);
   message.ground = GroundToMessage(segmented.ground);
   message.background_status = static_cast<std::int32_t>(segmented.background);
   message.iron = IronToMessage(segmented.iron);
@@ -126,6 +128,7 @@ SegmentedMap FromMessage(const clusters_t& message) {
   segmented.cell_size_m = message.cell_size_m;
   segmented.frame = static_cast<MapFrame>(message.frame);
   segmented.T_map_camera = TransformFromMessage(kClusters + ".T_map_camera", message.T_map_camera);
+  segmented.view = ViewFromMessage(kClusters + ".view", message.view);
   segmented.ground = GroundFromMessage(kClusters, message.ground);
   segmented.background = static_cast<BackgroundStatus>(message.background_status);
   segmented.iron = IronFromMessage(kClusters, message.iron);

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "fallen/messages/box_conversion.hpp"
+#include "fallen/messages/camera_view_conversion.hpp"
 #include "fallen/messages/conversions.hpp"
+#include "fallen/messages/map_conversion.hpp"
 #include "fallen/messages/message_checks.hpp"
 #include "fallen/messages/message_limits.hpp"
 
@@ -58,6 +60,8 @@ fallen_persons_t ToMessage(const Header& header, const Decision& decision) {
   fallen_persons_t message{};
   message.header = ToMessage(header);
   message.frame = static_cast<std::int32_t>(decision.frame);
+  TransformToMessage(decision.T_map_camera, message.T_map_camera);
+  message.view = ViewToMessage("fallen_persons_t.view", decision.view);
   message.min_probability = decision.min_probability;
   for (const PersonHypothesis& hypothesis : decision.hypotheses)
     message.hypotheses.push_back(HypothesisToMessage(hypothesis));
@@ -74,6 +78,9 @@ Decision FromMessage(const fallen_persons_t& message) {
   checks::InRange("fallen_persons_t.count", message.count, 0, limits::kMaxObjects);
   Decision decision;
   decision.frame = static_cast<MapFrame>(message.frame);
+  decision.T_map_camera =
+      TransformFromMessage("fallen_persons_t.T_map_camera", message.T_map_camera);
+  decision.view = ViewFromMessage("fallen_persons_t.view", message.view);
   decision.min_probability = message.min_probability;
   for (const fallen_person_t& hypothesis : message.hypotheses)
     decision.hypotheses.push_back(HypothesisFromMessage(hypothesis, message.min_probability));

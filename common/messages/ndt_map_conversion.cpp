@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "fallen/messages/camera_view_conversion.hpp"
 #include "fallen/messages/conversions.hpp"
 #include "fallen/messages/map_conversion.hpp"
 #include "fallen/messages/message_checks.hpp"
@@ -19,6 +20,7 @@ ndt_map_t MapToMessage(const Header& header, const NdtMap& map) {
   message.cell_size_m = map.cell_size_m;
   message.frame = static_cast<std::int32_t>(map.frame);
   TransformToMessage(map.T_map_camera, message.T_map_camera);
+  message.view = ViewToMessage(kNdtMap + ".view", map.view);
   message.ground = GroundToMessage(map.ground);
   message.cells = CellsToMessage(map.cells);
   message.background_status = static_cast<std::int32_t>(BackgroundStatus::kNoEnvironmentMap);
@@ -34,6 +36,7 @@ NdtMap CheckedMap(const ndt_map_t& message) {
   map.cell_size_m = message.cell_size_m;
   map.frame = static_cast<MapFrame>(message.frame);
   map.T_map_camera = TransformFromMessage(kNdtMap + ".T_map_camera", message.T_map_camera);
+  map.view = ViewFromMessage(kNdtMap + ".view", message.view);
   map.ground = GroundFromMessage(kNdtMap, message.ground);
   map.cells = CellsFromMessage(kNdtMap, message.cells);
   CheckNearCamera(kNdtMap, map.cells, map.T_map_camera);

@@ -43,6 +43,11 @@ constexpr Field kDepthImageFields[] = {{kStruct, "header", 1, 1, &kHeader},
                                        {kByte, "data", "size"}};
 constexpr Layout kDepthImage{"depth_image_t", kDepthImageFields};
 
+constexpr Field kCameraViewFields[] = {
+    {kInt32, "width"}, {kInt32, "height"}, {kDouble, "fx"},   {kDouble, "fy"},
+    {kDouble, "cx"},   {kDouble, "cy"},    {kInt32, "count"}, {kInt16, "depth_mm", "count"}};
+constexpr Layout kCameraView{"camera_view_t", kCameraViewFields};
+
 constexpr Field kGroundFields[] = {{kInt32, "status"},       {kInt32, "method"},
                                    {kDouble, "normal", 3},   {kDouble, "offset"},
                                    {kInt32, "inlier_count"}, {kInt32, "point_count"}};
@@ -66,6 +71,7 @@ constexpr Field kNdtMapFields[] = {{kStruct, "header", 1, 1, &kHeader},
                                    {kDouble, "cell_size_m"},
                                    {kInt32, "frame"},
                                    {kDouble, "T_map_camera", 12},
+                                   {kStruct, "view", 1, 1, &kCameraView},
                                    {kStruct, "ground", 1, 1, &kGround},
                                    {kStruct, "cells", 1, 1, &kNdtCells},
                                    {kInt32, "background_status"},
@@ -82,6 +88,7 @@ constexpr Field kClustersFields[] = {{kStruct, "header", 1, 1, &kHeader},
                                      {kDouble, "cell_size_m"},
                                      {kInt32, "frame"},
                                      {kDouble, "T_map_camera", 12},
+                                     {kStruct, "view", 1, 1, &kCameraView},
                                      {kStruct, "ground", 1, 1, &kGround},
                                      {kInt32, "background_status"},
                                      {kStruct, "iron", 1, 1, &kIron},
@@ -106,6 +113,8 @@ constexpr Layout kFallenPerson{"fallen_person_t", kFallenPersonFields};
 
 constexpr Field kFallenPersonsFields[] = {{kStruct, "header", 1, 1, &kHeader},
                                           {kInt32, "frame"},
+                                          {kDouble, "T_map_camera", 12},
+                                          {kStruct, "view", 1, 1, &kCameraView},
                                           {kDouble, "min_probability"},
                                           {kInt32, "count"},
                                           {kStruct, "hypotheses", "count", 1, &kFallenPerson}};

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "fallen/geometry/camera_view.hpp"
 #include "fallen/geometry/enum_names.hpp"
 #include "fallen/geometry/ground_plane.hpp"
 #include "fallen/ndt/ndt_cell.hpp"
@@ -27,6 +28,7 @@ struct NdtMap {
   double cell_size_m = 0.05;
   MapFrame frame = MapFrame::kCamera;
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+  CameraView view;        ///< what the newest frame could see; UpdateMap sets it
   GroundEstimate ground;  ///< plane in the map frame; only with `ground.ok()` is it free of floor
   std::vector<NdtCell> cells;  ///< ground-free, order deterministic
 };

@@ -53,6 +53,7 @@ NdtMap ForegroundOnly(const ForegroundMap& foreground) {
   NdtMap map{foreground.map.cell_size_m,
              foreground.map.frame,
              foreground.map.T_map_camera,
+             foreground.map.view,
              foreground.map.ground,
              {}};
   for (std::size_t i = 0; i < foreground.map.cells.size(); ++i)
@@ -185,6 +186,7 @@ SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& mode
   segmented.cell_size_m = map.cell_size_m;
   segmented.frame = map.frame;
   segmented.T_map_camera = map.T_map_camera;
+  segmented.view = map.view;
   segmented.ground = map.ground;
   segmented.background = foreground.status;
   segmented.iron = model.iron;

@@ -81,6 +81,7 @@ struct SegmentedMap {
   double cell_size_m = 0.05;
   MapFrame frame = MapFrame::kCamera;
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
+  CameraView view;        ///< what the newest frame could see
   GroundEstimate ground;  ///< plane in the map frame
   BackgroundStatus background = BackgroundStatus::kNoEnvironmentMap;
   IronConfig iron;  ///< how `descriptors` were computed

@@ -128,6 +128,7 @@ TEST(UpdateMap, IsInTheWorldOnlyWithPoseAndMounting) {
   const NdtMap world = UpdateMap(mapper, whole, {}, &times);
   EXPECT_EQ(world.frame, MapFrame::kWorld);
   EXPECT_TRUE(world.T_map_camera.isApprox(lying_scene::CameraPose(0.3), 1e-12));
+  EXPECT_EQ(world.view, MakeCameraView(whole.image));
   EXPECT_GT(times.ground, 0);
   EXPECT_GT(times.ndt, 0);
 

@@ -26,6 +26,7 @@ void ExpectEqual(const NdtMap& a, const NdtMap& b) {
   EXPECT_EQ(a.cell_size_m, b.cell_size_m);
   EXPECT_EQ(a.frame, b.frame);
   EXPECT_EQ(a.T_map_camera.matrix(), b.T_map_camera.matrix());
+  EXPECT_EQ(a.view, b.view);
   EXPECT_EQ(a.ground, b.ground);
   EXPECT_EQ(a.cells, b.cells);
 }
@@ -89,6 +90,15 @@ TEST(NdtMapConversion, RefusesEachBadField) {
          for (double& v : m.T_map_camera) v = -v;
        }},
       {"ndt_map_t.T_map_camera", [](auto& m) { m.T_map_camera[3] = 1e7; }},
+      {"ndt_map_t.view.width", [](auto& m) { m.view.width = 0; }},
+      {"ndt_map_t.view.height", [](auto& m) { m.view.height = 1 << 20; }},
+      {"ndt_map_t.view.fx", [](auto& m) { m.view.fx = 0; }},
+      {"ndt_map_t.view.fy", [](auto& m) { m.view.fy = kNan; }},
+      {"ndt_map_t.view.cx", [](auto& m) { m.view.cx = HUGE_VAL; }},
+      {"ndt_map_t.view.cy", [](auto& m) { m.view.cy = kNan; }},
+      {"ndt_map_t.view.count", [](auto& m) { m.view.count = 5; }},
+      {"ndt_map_t.view.count", [](auto& m) { m.view.count = 5, m.view.depth_mm.pop_back(); }},
+      {"ndt_map_t.view.depth_mm", [](auto& m) { m.view.depth_mm[2] = -1; }},
       {"ndt_map_t.ground.status", [](auto& m) { m.ground.status = 9; }},
       {"ndt_map_t.ground.method", [](auto& m) { m.ground.method = -1; }},
       {"ndt_map_t.ground.normal", [](auto& m) { m.ground.normal[1] = kNan; }},
@@ -173,6 +183,7 @@ TEST(ClustersConversion, RoundTripIsExact) {
   EXPECT_EQ(back.cell_size_m, value.cell_size_m);
   EXPECT_EQ(back.frame, value.frame);
   EXPECT_EQ(back.T_map_camera.matrix(), value.T_map_camera.matrix());
+  EXPECT_EQ(back.view, value.view);
   EXPECT_EQ(back.ground, value.ground);
   EXPECT_EQ(back.background, value.background);
   EXPECT_EQ(back.iron, value.iron);
@@ -204,6 +215,7 @@ TEST(ClustersConversion, RefusesEachBadField) {
       {"clusters_t.cell_size_m", [](auto& m) { m.cell_size_m = 1e9; }},
       {"clusters_t.frame", [](auto& m) { m.frame = 3; }},
       {"clusters_t.T_map_camera", [](auto& m) { m.T_map_camera[5] = 0; }},
+      {"clusters_t.view.count", [](auto& m) { m.view.count = -6; }},
       {"clusters_t.ground.status", [](auto& m) { m.ground.status = -1; }},
       {"clusters_t.background_status", [](auto& m) { m.background_status = -1; }},
       {"clusters_t.iron.radius_m", [](auto& m) { m.iron.radius_m = 0; }},
@@ -257,6 +269,8 @@ TEST(FallenPersonsConversion, RefusesEachBadField) {
   const Spoilers<fallen_persons_t> cases = {
       {"header_t.utime", [](auto& m) { m.header.utime = -1; }},
       {"fallen_persons_t.frame", [](auto& m) { m.frame = 5; }},
+      {"fallen_persons_t.T_map_camera", [](auto& m) { m.T_map_camera[0] += 0.5; }},
+      {"fallen_persons_t.view.count", [](auto& m) { m.view.depth_mm.clear(); }},
       {"fallen_persons_t.min_probability", [](auto& m) { m.min_probability = 1.5; }},
       {"fallen_persons_t.min_probability", [](auto& m) { m.min_probability = kNan; }},
       {"fallen_persons_t.count", [](auto& m) { m.count = 3; }},

@@ -45,8 +45,12 @@ inline GroundEstimate SampleGround() {
   return ground;
 }
 
+inline CameraView SampleView() {
+  return {{3, 2, 2.5, 2.25, 1, 0.5}, {0, 1, 250, 3000, 32767, 1234}};
+}
+
 inline NdtMap SampleMap() {
-  return {0.05, MapFrame::kWorld, SampleTransform(), SampleGround(), SampleCells(7)};
+  return {0.05, MapFrame::kWorld, SampleTransform(), SampleView(), SampleGround(), SampleCells(7)};
 }
 
 inline ForegroundMap SampleForeground() {
@@ -59,6 +63,7 @@ inline SegmentedMap SampleSegmented() {
   segmented.cell_size_m = 0.05;
   segmented.frame = MapFrame::kLevel;
   segmented.T_map_camera = SampleTransform();
+  segmented.view = SampleView();
   segmented.ground = SampleGround();
   segmented.background = BackgroundStatus::kNoPose;
   segmented.iron.distance_bins = 2;
@@ -83,6 +88,8 @@ inline SegmentedMap SampleSegmented() {
 inline Decision SampleDecision() {
   Decision decision;
   decision.frame = MapFrame::kWorld;
+  decision.T_map_camera = SampleTransform();
+  decision.view = SampleView();
   decision.min_probability = 0.625;
   decision.hypotheses.push_back({{1, 2, 0.3}, SampleBox(), 0.875, 3.25, 120, 0.5, true});
   decision.hypotheses.push_back({{-1, 2.5, 0.1}, SampleBox(), 0.125, 33.5, 17, -0.25, false});
