@@ -116,7 +116,7 @@ BodyCapsules MeasureCapsules(const HumanModel& model, const RestBody& body) {
                        const std::string& bone_b, const Eigen::Vector3d& b, double mass,
                        bool must_rest) {
     result.capsules.push_back(
-        {name, model.bone(bone_a), model.bone(bone_b), a, b, 0, mass, must_rest});
+        {name, model.bone(bone_a), model.bone(bone_b), a, b, 0, mass, must_rest, false});
   };
   const auto between = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b, double share) {
     return Eigen::Vector3d(a + share * (b - a));
@@ -147,6 +147,9 @@ BodyCapsules MeasureCapsules(const HumanModel& model, const RestBody& body) {
         head(bone("foot")), 0.0465, false);
     add("foot", bone("foot"), head(bone("foot")), bone("foot"), head(bone("toe1-1")), 0.0145, true);
   }
+  for (const Side side : {kLeft, kRight})
+    for (const LimbPart part : {kThigh, kShank, kFoot})
+      result.capsules[static_cast<std::size_t>(Index(part, side))].leg = true;
   for (const Bone& bone : model.bones) result.capsule_of_bone.push_back(PartOf(bone.name));
   MeasureRadii(model, body, result);
   ListCollisions(result);

@@ -18,6 +18,7 @@ struct BodyCapsule {
   double radius = 0;             ///< [m]
   double mass = 0;               ///< share of the body's mass
   bool must_rest = false;        ///< falls unless something holds it up
+  bool leg = false;              ///< thigh, shank or foot
 };
 
 struct BodyCapsules {

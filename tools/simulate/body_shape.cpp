@@ -146,10 +146,10 @@ BodyShape DrawBodyShape(int id) {
   shape.female = random.Chance(0.5);
   shape.old = random.Uniform();
   shape.muscle = random.BoundedNormal(-0.4 * shape.old, 0.35);
-  shape.weight = random.BoundedNormal(0.1, 0.42);
+  shape.weight = random.Uniform(-0.85, 0.9);
   // Mean and spread of adults in Germany (Mikrozensus 2017: 1.66 m and 1.79 m), older ones shorter.
   const double mean_height = (shape.female ? 1.66 : 1.79) - 0.05 * shape.old;
-  shape.height_m = std::clamp(random.BoundedNormal(mean_height, 0.075), 1.50, 1.95);
+  shape.height_m = std::clamp(random.BoundedNormal(mean_height, 0.085), 1.45, 1.95);
   shape.proportions = random.Uniform(-0.5, 0.8);
   shape.african = random.Chance(0.2) ? random.Uniform() : 0;
   shape.asian = random.Chance(0.2) ? random.Uniform() * (1 - shape.african) : 0;
@@ -157,19 +157,23 @@ BodyShape DrawBodyShape(int id) {
     const double value = random.BoundedNormal(0, sigma);
     shape.details[value < 0 ? less : more] = std::abs(value);
   };
-  either("torso/torso-scale-depth-decr", "torso/torso-scale-depth-incr", 0.25);
+  either("torso/torso-scale-depth-decr", "torso/torso-scale-depth-incr", 0.35);
   either("torso/torso-scale-horiz-decr", "torso/torso-scale-horiz-incr", 0.2);
   either("torso/torso-vshape-less", "torso/torso-vshape-more", 0.3);
   either("stomach/stomach-tone-decr", "stomach/stomach-tone-incr", 0.4);
   either("buttocks/buttocks-volume-decr", "buttocks/buttocks-volume-incr", 0.4);
-  shape.top_thickness_m = random.Uniform(0.004, 0.022);
-  shape.legs_thickness_m = random.Uniform(0.004, 0.018);
+  // A fourth wears something loose: a dressing gown, a pullover, wide trousers.
+  shape.top_thickness_m = random.Uniform(0.003, 0.018);
+  shape.legs_thickness_m = random.Uniform(0.003, 0.015);
+  if (random.Chance(0.25)) shape.top_thickness_m += random.Uniform(0.01, 0.03);
+  if (random.Chance(0.2)) shape.legs_thickness_m += random.Uniform(0.01, 0.025);
   shape.shoe_thickness_m = random.Chance(0.5) ? random.Uniform(0.006, 0.012) : 0.002;
   shape.skirt = shape.female && random.Chance(0.12);  // ankle-long: MakeHuman's helper
   shape.long_hair = random.Chance(shape.female ? 0.6 : 0.05);
-  shape.top_albedo = random.Uniform(0.12, 0.9);
+  shape.flatness = random.Uniform(0.64, 1.0);
+  shape.top_albedo = random.Uniform(0.08, 0.9);
   shape.legs_albedo = random.Uniform(0.10, 0.8);
-  shape.hair_albedo = random.Uniform(0.10, 0.5);
+  shape.hair_albedo = random.Uniform(0.04, 0.5);
   return shape;
 }
 

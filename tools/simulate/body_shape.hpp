@@ -23,6 +23,8 @@ struct BodyShape {
   double african = 0, asian = 0;          ///< shares; the rest is caucasian
   std::map<std::string, double> details;  ///< further morph targets
 
+  /// Height of what lies flat by that of the rigid body: flesh gives way and a chest settles.
+  double flatness = 1;
   double top_thickness_m = 0.01;   ///< of the clothes on trunk and arms
   double legs_thickness_m = 0.01;  ///< of the trousers
   double shoe_thickness_m = 0.005;

@@ -3,8 +3,11 @@
 #include "tools/simulate/distractors.hpp"
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
+#include "tools/simulate/dogs.hpp"
+#include "tools/simulate/household.hpp"
 #include "tools/simulate/persons.hpp"
 #include "tools/simulate/resting_person.hpp"
 #include "tools/simulate/smooth_noise.hpp"
@@ -25,62 +28,77 @@ TriangleMesh FromCatalogue(const FurnitureModel& model, double scale) {
   return mesh;
 }
 
-TriangleMesh MakeCushion(Random& random) {
-  const double side = random.Uniform(0.35, 0.6);
-  TriangleMesh mesh =
-      MakeSuperellipsoid({side, side * random.Uniform(0.7, 1), random.Uniform(0.1, 0.2)}, 1, 0.4,
-                         random.Uniform(0.2, 0.9));
-  mesh.Transform(Eigen::Affine3f(
-      Eigen::AngleAxisf(static_cast<float>(random.Normal(0, 0.15)), Eigen::Vector3f::UnitX())));
-  return mesh;
-}
-
-TriangleMesh MakeCardboardBox(Random& random) {
-  return MakeBox({random.Uniform(0.25, 0.7), random.Uniform(0.2, 0.5), random.Uniform(0.15, 0.5)},
-                 random.Uniform(0.4, 0.7));
-}
-
-// A soft bag: fatter below, with two handles.
-TriangleMesh MakeSportsBag(Random& random) {
-  const double length = random.Uniform(0.45, 0.75), height = random.Uniform(0.22, 0.32);
-  const double albedo = random.Uniform(0.15, 0.7);
-  TriangleMesh mesh =
-      MakeSuperellipsoid({length, height * random.Uniform(0.9, 1.3), height}, 0.6, 0.6, albedo);
-  const double h = height / 2;
-  for (const double side : {-0.06, 0.06})
-    mesh.Append(MakeTube({{-0.15, side, h * 0.8},
-                          {-0.1, side, h + 0.08},
-                          {0.1, side, h + 0.1},
-                          {0.15, side, h * 0.8}},
-                         {0.012, 0.012, 0.012, 0.012}, albedo));
-  return mesh;
-}
-
 TriangleMesh MakeSleepingBag(Random& random) {
-  TriangleMesh mesh =
-      MakeHeap({random.Uniform(1.5, 2.0), random.Uniform(0.6, 0.8), random.Uniform(0.08, 0.16)},
-               0.25, random);
+  return MakeHeap({random.Uniform(1.5, 2.1), random.Uniform(0.6, 0.85), random.Uniform(0.08, 0.2)},
+                  random.Uniform(0.15, 0.35), random);
+}
+
+TriangleMesh MakeClothes(Random& random) {
+  return MakeHeap({random.Uniform(0.4, 0.8), random.Uniform(0.3, 0.6), random.Uniform(0.08, 0.22)},
+                  random.Uniform(0.08, 0.15), random);
+}
+
+TriangleMesh MakeBlanket(Random& random) {
+  return MakeHeap({random.Uniform(0.7, 1.8), random.Uniform(0.4, 1.0), random.Uniform(0.15, 0.4)},
+                  random.Uniform(0.12, 0.3), random);
+}
+
+// Several heaps that run into each other.
+TriangleMesh MakePile(Random& random) {
+  TriangleMesh mesh;
+  for (int i = random.Integer(2, 4); i > 0; --i) {
+    TriangleMesh heap = random.Chance(0.5) ? MakeClothes(random) : MakeBlanket(random);
+    heap.Transform(
+        Eigen::Translation3f(static_cast<float>(random.Normal(0, 0.35)),
+                             static_cast<float>(random.Normal(0, 0.15)), 0) *
+        Eigen::AngleAxisf(static_cast<float>(random.Uniform(-3, 3)), Eigen::Vector3f::UnitZ()));
+    mesh.Append(heap);
+  }
   return mesh;
+}
+
+// What needs nothing but chance.
+const std::map<std::string, TriangleMesh (*)(Random&)>& Makers() {
+  static const std::map<std::string, TriangleMesh (*)(Random&)> makers = {
+      {"lying_dog", MakeLyingDog},
+      {"sitting_dog", MakeSittingDog},
+      {"standing_dog", MakeStandingDog},
+      {"sports_bag", MakeSportsBag},
+      {"backpack_and_bag", MakeBackpackAndBag},
+      {"cushion", MakeCushion},
+      {"box", MakeCardboardBox},
+      {"clothes", MakeClothes},
+      {"blanket", MakeBlanket},
+      {"pile", MakePile},
+      {"sleeping_bag", MakeSleepingBag},
+      {"air_mattress", MakeAirMattress},
+      {"suitcase", MakeSuitcase},
+      {"rolled_carpet", MakeRolledCarpet},
+      {"shoes", MakeShoes},
+      {"toys", MakeToys},
+      {"laundry_basket", MakeLaundryBasket},
+      {"vacuum_cleaner", MakeVacuumCleaner},
+      {"rollator", MakeRollator}};
+  return makers;
+}
+
+const std::map<std::string, Stoop>& Stoops() {
+  static const std::map<std::string, Stoop> stoops = {{"kneeling_person", Stoop::kKneeling},
+                                                      {"bending_person", Stoop::kBending},
+                                                      {"crouching_person", Stoop::kCrouching}};
+  return stoops;
 }
 
 }  // namespace
 
 const std::vector<std::string>& DistractorKinds() {
-  static const std::vector<std::string> kinds = {"dog",
-                                                 "lying_dog",
-                                                 "cat",
-                                                 "bag",
-                                                 "sports_bag",
-                                                 "cushion",
-                                                 "box",
-                                                 "clothes",
-                                                 "blanket",
-                                                 "bedding",
-                                                 "vacuum_cleaner",
-                                                 "rollator",
-                                                 "standing_person",
-                                                 "sitting_person",
-                                                 kResting};
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> names = {"dog", "cat", "bag", "standing_person", "sitting_person"};
+    for (const auto& [name, make] : Makers()) names.push_back(name);
+    for (const auto& [name, kind] : Stoops()) names.push_back(name);
+    names.insert(names.end(), {kResting, kSeated});
+    return names;
+  }();
   return kinds;
 }
 
@@ -118,44 +136,6 @@ TriangleMesh MakeHeap(const Eigen::Vector3d& size, double fold_length_m, Random&
     }
   }
   mesh.SetAlbedo(random.Uniform(0.2, 0.9));
-  return mesh;
-}
-
-TriangleMesh MakeLyingDog(Random& random) {
-  const double scale = random.Uniform(0.75, 1.25);  // 1: a Labrador, 0.9 m without the tail
-  const double albedo = random.Uniform(0.12, 0.8);
-  const double bend = random.Normal(0, 0.12);
-  const bool on_side = random.Chance(0.4);
-  TriangleMesh mesh;
-  const auto tube = [&](std::vector<Eigen::Vector3d> points, std::vector<double> radii) {
-    for (Eigen::Vector3d& p : points) p *= scale;
-    for (double& r : radii) r *= scale;
-    mesh.Append(MakeTube(points, radii, albedo));
-  };
-  const double z = on_side ? 0.12 : 0.15;
-  tube({{-0.38, bend, z}, {-0.2, bend / 2, z + 0.01}, {0.05, 0, z + 0.02}, {0.25, 0, z + 0.02}},
-       {0.11, 0.115, 0.135, 0.11});
-  const double head_z = on_side ? 0.09 : random.Uniform(0.12, 0.42);
-  const double turn = random.Normal(0, 0.15);
-  tube({{0.25, 0, z + 0.03}, {0.36, turn / 2, (z + head_z) / 2 + 0.03}, {0.46, turn, head_z}},
-       {0.09, 0.075, 0.075});
-  tube({{0.44, turn, head_z}, {0.55, turn * 1.3, head_z - 0.01}, {0.64, turn * 1.5, head_z - 0.03}},
-       {0.08, 0.07, 0.035});
-  for (const double side : {-1.0, 1.0}) {
-    const double y = on_side ? 0.15 : side * 0.11, low = on_side ? 0.06 + 0.05 * side : 0.045;
-    const double spread = on_side ? 0.3 : 0.04;
-    tube({{0.18, y * 0.7, z - 0.03}, {0.28, y + spread / 2, low}, {0.5, y + spread, low}},
-         {0.06, 0.04, 0.03});
-    tube({{-0.3, y * 0.9, z - 0.01},
-          {-0.15, y + spread / 2 + 0.03, low + 0.02},
-          {-0.02, y + spread + 0.05, low - 0.01}},
-         {0.085, 0.05, 0.03});
-    tube({{0.45, turn + side * 0.06, head_z + 0.05}, {0.44, turn + side * 0.1, head_z - 0.02}},
-         {0.025, 0.03});
-  }
-  tube({{-0.45, bend, z}, {-0.6, bend + 0.1, 0.05}, {-0.75, bend + 0.22, 0.03}},
-       {0.035, 0.03, 0.02});
-  for (Eigen::Vector3f& vertex : mesh.vertices) vertex.z() = std::max(0.0f, vertex.z());
   return mesh;
 }
 
@@ -230,32 +210,13 @@ Distractor MakeDistractor(const std::string& kind, const FurnitureCatalogue& cat
     from_catalogue(FurnitureRole::kCat, random.Uniform(0.8, 1.1));
   } else if (kind == "bag") {
     if (!from_catalogue(FurnitureRole::kBag, 1)) distractor.mesh = MakeSportsBag(random);
-  } else if (kind == "lying_dog") {
-    distractor.mesh = MakeLyingDog(random);
-  } else if (kind == "sports_bag") {
-    distractor.mesh = MakeSportsBag(random);
-  } else if (kind == "cushion") {
-    distractor.mesh = MakeCushion(random);
-  } else if (kind == "box") {
-    distractor.mesh = MakeCardboardBox(random);
-  } else if (kind == "clothes") {
-    distractor.mesh =
-        MakeHeap({random.Uniform(0.4, 0.8), random.Uniform(0.3, 0.6), random.Uniform(0.08, 0.22)},
-                 random.Uniform(0.08, 0.15), random);
-  } else if (kind == "blanket") {
-    distractor.mesh =
-        MakeHeap({random.Uniform(0.7, 1.6), random.Uniform(0.5, 1.0), random.Uniform(0.15, 0.4)},
-                 random.Uniform(0.12, 0.3), random);
-  } else if (kind == "bedding") {
-    distractor.mesh = MakeSleepingBag(random);
-  } else if (kind == "vacuum_cleaner") {
-    distractor.mesh = MakeVacuumCleaner(random);
-  } else if (kind == "rollator") {
-    distractor.mesh = MakeRollator(random);
+  } else if (const auto maker = Makers().find(kind); maker != Makers().end()) {
+    distractor.mesh = maker->second(random);
+  } else if (const auto stoop = Stoops().find(kind); stoop != Stoops().end()) {
+    distractor.mesh = MakeStoopingPerson(humans, bystander(), stoop->second, random);
   } else if (kind == "standing_person") {
     distractor.mesh = MakeStandingPerson(humans, bystander(), random);
   } else if (kind == "sitting_person") {
-    // On a stool of its own; people on sofas would need the sofa's seat.
     const double seat = random.Uniform(0.42, 0.5);
     distractor.mesh = MakeSittingPerson(humans, bystander(), seat, random);
     TriangleMesh stool = MakeSuperellipsoid({0.42, 0.42, 0.06}, 0.3, 0.3, 0.5);

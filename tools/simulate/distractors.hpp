@@ -28,9 +28,6 @@ Distractor MakeDistractor(const std::string& kind, const FurnitureCatalogue& cat
 /// Blanket, clothes or duvet, dropped or folded: a heap with folds.
 TriangleMesh MakeHeap(const Eigen::Vector3d& size, double fold_length_m, Random& random);
 
-/// A large dog that lies or sits, of tubes.
-TriangleMesh MakeLyingDog(Random& random);
-
 TriangleMesh MakeVacuumCleaner(Random& random);
 
 /// A walking frame with four wheels.

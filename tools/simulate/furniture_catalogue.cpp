@@ -73,6 +73,11 @@ bool IsPane(const aiMaterial& material) {
 }  // namespace
 
 FurniturePool PoolOf(const std::string& model_name) {
+  // There are few beds, and chance has put none of them into the test pool.
+  static const std::map<std::string, FurniturePool> moved = {
+      {"BlendSwap-CC-0/bed1", FurniturePool::kTest},
+      {"BlendSwap-CC-BY/juniorBed", FurniturePool::kTest}};
+  if (const auto found = moved.find(model_name); found != moved.end()) return found->second;
   const auto share = MixBits(StableHash(model_name)) % 100;
   if (share < 60) return FurniturePool::kTrain;
   return share < 80 ? FurniturePool::kValidation : FurniturePool::kTest;

@@ -54,6 +54,10 @@ const std::map<std::string, Role>& Roles() {
          "washing_machine", "chest", "tvStand", "bookcase", "dresserWithDrawers", "wardrobe2",
          "workbench"});
     add(Role::kCabinet, kator, {"utility-shelving", "fridge", "filing-cabinet", "full-bookcase"});
+    add(Role::kBath, zero, {"toiletsUnit", "washbasin", "bidet", "showerStall"});
+    add(Role::kBath, by,
+        {"bath_jay_hardy", "toilets_unit_jay_hardy", "washbasin_jay_hardy", "modernToilet",
+         "bathroomRadiator"});
     add(Role::kPlant, zero, {"decorativePlant", "plant", "orchids", "plantie"});
     add(Role::kPlant, by,
         {"mediumIndoorPlant", "spatifilum", "yuccaPlant", "decorativePlant", "spider_plant",

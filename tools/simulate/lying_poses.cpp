@@ -23,6 +23,12 @@ class Drawer {
 
   BodyPose& pose() { return drawn_.pose; }
   PoseStiffness& stiffness() { return drawn_.stiffness; }
+  void HoldTrunk() { drawn_.trunk_held = true; }
+  void HoldLegs() {
+    constexpr double kHeld = 0.02;  // [rad]
+    drawn_.legs_held = true;
+    drawn_.stiffness.legs = {kHeld, kHeld};
+  }
   const DrawnPose& drawn() const { return drawn_; }
   double Between(double low, double high) { return random_.Uniform(low, high); }
   Side AnySide() { return random_.Chance(0.5) ? kLeft : kRight; }
@@ -151,13 +157,15 @@ Eigen::Quaterniond LyingOrientation(double roll_rad) {
 DrawnPose DrawLyingPose(const BodyRig& rig, PoseFamily family, Random& random) {
   Drawer drawer(rig, random);
   const bool prone = family == PoseFamily::kProne || family == PoseFamily::kProneArmsUp ||
-                     family == PoseFamily::kProneCrawl;
+                     family == PoseFamily::kProneCrawl || family == PoseFamily::kProneArmUnder ||
+                     family == PoseFamily::kCollapsedKneeling;
   drawer.Lie((prone ? kPi : 0) + drawer.Between(-0.2, 0.2));
   if (prone) DrawProneHead(drawer);
   const Side side = drawer.AnySide();
   switch (family) {
     case PoseFamily::kSupine:
     case PoseFamily::kProne:
+    case PoseFamily::kHalfSitting:
       break;
     case PoseFamily::kSupineArmsSpread:
       for (const Side arm : {kLeft, kRight}) drawer.ArmSpread(arm);
@@ -200,8 +208,30 @@ DrawnPose DrawLyingPose(const BodyRig& rig, PoseFamily family, Random& random) {
       DrawRecovery(drawer, kRight);
       break;
     case PoseFamily::kSprawled:
+    case PoseFamily::kFallenOver:
       DrawSprawled(drawer);
       break;
+    case PoseFamily::kProneArmUnder:
+      drawer.Arm(side, drawer.Between(0.05, 0.25), -1, drawer.Between(0.3, 0.6),
+                 drawer.Between(0.9, 1.8), drawer.Between(0.2, 0.8));
+      drawer.stiffness().arms[side] = 0.5;
+      break;
+    case PoseFamily::kCollapsedKneeling:
+      for (const Side leg : {kLeft, kRight}) {
+        drawer.LegFlexed(leg, 1.5, 2.1, 1.9, 2.25);
+        drawer.stiffness().legs[leg] = 0.3;
+        if (drawer.Between(0, 1) < 0.5) drawer.ArmUp(leg);
+      }
+      drawer.pose().spine.x() = drawer.Between(0.2, 0.7);
+      drawer.HoldTrunk();
+      break;
+    case PoseFamily::kLegsOnChair: {
+      const double hip = drawer.Between(1.1, 1.6);
+      for (const Side leg : {kLeft, kRight})
+        drawer.LegFlexed(leg, hip - 0.08, hip + 0.08, hip - 0.1, hip + 0.1);
+      drawer.HoldLegs();
+      break;
+    }
   }
   return drawer.drawn();
 }

@@ -31,9 +31,14 @@ enum class PoseFamily {
   kRecoveryLeft,
   kRecoveryRight,
   kSprawled,
+  kProneArmUnder,
+  kCollapsedKneeling,  ///< knees drawn up below the trunk, the head on the floor
+  kLegsOnChair,        ///< on the back, the lower legs laid up
+  kFallenOver,         ///< beside what the feet stumbled over
+  kHalfSitting,        ///< the back against a piece of furniture
 };
 constexpr auto EnumNames(PoseFamily) {
-  return EnumTable<PoseFamily, 15>{{{PoseFamily::kSupine, "supine"},
+  return EnumTable<PoseFamily, 20>{{{PoseFamily::kSupine, "supine"},
                                     {PoseFamily::kSupineArmsSpread, "supine_arms_spread"},
                                     {PoseFamily::kSupineArmsUp, "supine_arms_up"},
                                     {PoseFamily::kSupineKneeUp, "supine_knee_up"},
@@ -47,7 +52,12 @@ constexpr auto EnumNames(PoseFamily) {
                                     {PoseFamily::kCurledRight, "curled_right"},
                                     {PoseFamily::kRecoveryLeft, "recovery_left"},
                                     {PoseFamily::kRecoveryRight, "recovery_right"},
-                                    {PoseFamily::kSprawled, "sprawled"}}};
+                                    {PoseFamily::kSprawled, "sprawled"},
+                                    {PoseFamily::kProneArmUnder, "prone_arm_under"},
+                                    {PoseFamily::kCollapsedKneeling, "collapsed_kneeling"},
+                                    {PoseFamily::kLegsOnChair, "legs_on_chair"},
+                                    {PoseFamily::kFallenOver, "fallen_over"},
+                                    {PoseFamily::kHalfSitting, "half_sitting"}}};
 }
 
 /// How willingly a joint leaves its drawn angle for gravity's sake: standard deviation [rad].
@@ -62,9 +72,12 @@ struct PoseStiffness {
 struct DrawnPose {
   BodyPose pose;
   PoseStiffness stiffness;
+  bool legs_held = false;   ///< by something that is not the floor
+  bool trunk_held = false;  ///< by the thighs
 };
 
-/// Draws a pose of a family, with jitter in every joint.
+/// Draws a pose of a family, with jitter in every joint. Somebody half sitting does not lie: see
+/// MakeLyingPerson; here that is as supine.
 DrawnPose DrawLyingPose(const BodyRig& rig, PoseFamily family, Random& random);
 
 /// Rotation from the rest frame to `lying`: on the back for `roll` 0, on the left side for pi/2,

@@ -12,7 +12,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr int kTries = 400;
 constexpr double kFreeMargin = 0.08;  // [m], a hand's breadth
 constexpr double kPushStep = 0.01;    // [m]
-constexpr double kUnderShare = 0.12;  // of the points that must be covered to count as under
+constexpr double kUnderShare = 0.1;   // of the points that must be covered to count as under
 
 // The mesh's surface as points, spread out evenly.
 std::vector<Eigen::Vector3d> Sample(const TriangleMesh& mesh) {
@@ -41,6 +41,8 @@ class Placer {
     }
     return false;
   }
+
+  const Eigen::Vector3d& AnyPoint(Random& random) const { return random.Pick(points_); }
 
   double CoveredShare(const FloorPose& pose) const {
     const Eigen::Rotation2Dd rotation(pose.yaw);
@@ -99,16 +101,23 @@ std::optional<FloorPose> Touching(const Placer& placer, const std::optional<doub
   return std::nullopt;
 }
 
+// Some point of the body below some point of a piece that leaves room below.
 std::optional<FloorPose> Under(const Placer& placer, const std::optional<double>& yaw,
                                const Scene& scene, Random& random) {
-  if (scene.objects.empty()) return std::nullopt;
-  for (int i = 0; i < 4 * kTries; ++i) {
-    const OrientedBox& piece = random.Pick(scene.objects).box;
+  constexpr double kLowest = 0.3, kHighest = 1.2;  // [m], of what one gets under
+  std::vector<const OrientedBox*> pieces;
+  for (const SceneObject& object : scene.objects)
+    if (object.box.size.z() > kLowest && object.box.size.z() < kHighest)
+      pieces.push_back(&object.box);
+  if (pieces.empty()) return std::nullopt;
+  for (int i = 0; i < 10 * kTries; ++i) {
+    const OrientedBox& piece = *random.Pick(pieces);
+    const Eigen::Vector2d within(random.Uniform(-0.5, 0.5) * piece.size.x(),
+                                 random.Uniform(-0.5, 0.5) * piece.size.y());
     FloorPose pose;
     pose.yaw = yaw.value_or(random.Uniform(-kPi, kPi));
-    const double reach = piece.size.head<2>().norm() / 2 + 0.8;
-    pose.position = piece.center.head<2>() +
-                    Eigen::Vector2d(random.Uniform(-reach, reach), random.Uniform(-reach, reach));
+    pose.position = piece.center.head<2>() + Eigen::Rotation2Dd(piece.yaw) * within -
+                    Eigen::Rotation2Dd(pose.yaw) * placer.AnyPoint(random).head<2>();
     if (placer.CoveredShare(pose) < kUnderShare || placer.Collides(pose, 0)) continue;
     pose.reached = Placement::kUnder;
     return pose;

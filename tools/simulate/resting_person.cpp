@@ -3,6 +3,7 @@
 #include "tools/simulate/resting_person.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -15,29 +16,45 @@ namespace {
 // Bodies of bystanders are none of the numbered ones that recordings are split by.
 constexpr int kFirstSleeper = 2000000;
 
-std::vector<const SceneObject*> Beds(const Scene& scene, FurnitureRole role) {
-  std::vector<const SceneObject*> beds;
+std::vector<const SceneObject*> Pieces(const Scene& scene,
+                                       std::initializer_list<FurnitureRole> roles) {
+  std::vector<const SceneObject*> pieces;
   for (const SceneObject& object : scene.objects)
-    if (object.category == kFurniture && RoleOf(object.name) == role) beds.push_back(&object);
-  return beds;
+    for (const FurnitureRole role : roles)
+      if (object.category == kFurniture && RoleOf(object.name) == role) pieces.push_back(&object);
+  return pieces;
 }
 
-// Point of the scene in the piece's own frame: x along its width, y towards its back.
-Eigen::Vector3d ToPiece(const OrientedBox& box, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d offset(p.x() - box.center.x(), p.y() - box.center.y(), p.z());
-  return Eigen::AngleAxisd(-box.yaw, Eigen::Vector3d::UnitZ()) * offset;
+// Height of the mesh above a point on the floor, or nothing where there is none.
+std::optional<double> TopAt(const TriangleMesh& mesh, const Eigen::Vector2f& p) {
+  std::optional<double> top;
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3f& a = mesh.vertices[triangle[0]];
+    const Eigen::Vector3f ab = mesh.vertices[triangle[1]] - a, ac = mesh.vertices[triangle[2]] - a;
+    const Eigen::Vector2f ap = p - a.head<2>();
+    const float area = ab.x() * ac.y() - ab.y() * ac.x();
+    if (std::abs(area) < 1e-9f) continue;
+    const float s = (ap.x() * ac.y() - ap.y() * ac.x()) / area;
+    const float t = (ab.x() * ap.y() - ab.y() * ap.x()) / area;
+    if (s < 0 || t < 0 || s + t > 1) continue;
+    top = std::max<double>(top.value_or(0), a.z() + s * ab.z() + t * ac.z());
+  }
+  return top;
 }
 
-// Height of what one lies on: the upper vertices in the middle, in front of the back.
-double LyingHeight(const SceneObject& piece) {
-  constexpr double kHighest = 0.75;  // [m], above that are backs and canopies
-  constexpr double kShare = 0.85;    // of the heights below: the surface, not a cushion on it
+// Height of what one lies or sits on: in the middle of the piece and in front of its back.
+double SurfaceHeight(const SceneObject& piece) {
+  constexpr double kLowest = 0.2, kHighest = 0.75;  // [m], above that are backs and canopies
+  constexpr double kShare = 0.6;  // of the heights below: the surface, not a cushion on it
   std::vector<double> heights;
-  for (const Eigen::Vector3f& vertex : piece.mesh.vertices) {
-    const Eigen::Vector3d p = ToPiece(piece.box, vertex.cast<double>());
-    if (std::abs(p.x()) < 0.35 * piece.box.size.x() && p.y() < 0.1 * piece.box.size.y() &&
-        p.y() > -0.4 * piece.box.size.y() && p.z() < kHighest && p.z() > 0.2)
-      heights.push_back(p.z());
+  for (double x = -0.3; x <= 0.3; x += 0.1) {
+    for (double y = -0.35; y <= 0.1; y += 0.09) {
+      const Eigen::Vector2d p = piece.box.center.head<2>() +
+                                Eigen::Rotation2Dd(piece.box.yaw) *
+                                    Eigen::Vector2d(x * piece.box.size.x(), y * piece.box.size.y());
+      const auto top = TopAt(piece.mesh, p.cast<float>());
+      if (top && *top > kLowest && *top < kHighest) heights.push_back(*top);
+    }
   }
   constexpr double kUsual = 0.45;
   if (heights.empty()) return kUsual;
@@ -51,13 +68,15 @@ double LyingHeight(const SceneObject& piece) {
 
 std::optional<SceneObject> MakeRestingPerson(const HumanModel& humans, const Scene& scene,
                                              Random& random) {
-  std::vector<const SceneObject*> pieces = Beds(scene, FurnitureRole::kSofa);
-  const bool on_bed = pieces.empty();
-  if (on_bed) pieces = Beds(scene, FurnitureRole::kBed);
+  const auto pieces = Pieces(scene, {FurnitureRole::kSofa, FurnitureRole::kBed});
   if (pieces.empty()) return std::nullopt;
   const SceneObject& piece = *random.Pick(pieces);
-  constexpr PoseFamily kAsleep[] = {PoseFamily::kSupine, PoseFamily::kSideLeft,
-                                    PoseFamily::kSideRight, PoseFamily::kSupineHandOnBelly};
+  const bool on_bed = RoleOf(piece.name) == FurnitureRole::kBed;
+  constexpr PoseFamily kAsleep[] = {PoseFamily::kSupine,       PoseFamily::kSideLeft,
+                                    PoseFamily::kSideRight,    PoseFamily::kProne,
+                                    PoseFamily::kCurledLeft,   PoseFamily::kSupineHandOnBelly,
+                                    PoseFamily::kSupine,       PoseFamily::kCurledRight,
+                                    PoseFamily::kSupineKneeUp, PoseFamily::kSupineArmsUp};
   const BodyShape shape = DrawBodyShape(kFirstSleeper + random.Index(1000));
   PersonMesh person =
       MakeLyingPerson(humans, shape, kAsleep[random.Index(std::size(kAsleep))], random);
@@ -71,10 +90,30 @@ std::optional<SceneObject> MakeRestingPerson(const HumanModel& humans, const Sce
       Eigen::AngleAxisd(piece.box.yaw, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d(0, forward, 0);
   SceneObject object = PlaceObject(
       kResting, "sleeper-" + std::to_string(shape.id), std::move(person.mesh),
-      {piece.box.center.x() + place.x(), piece.box.center.y() + place.y(), LyingHeight(piece)},
+      {piece.box.center.x() + place.x(), piece.box.center.y() + place.y(), SurfaceHeight(piece)},
       piece.box.yaw + turn);
   object.box = BoxAround(object.mesh, MainAxisYaw(object.mesh));
   return object;
+}
+
+std::optional<SceneObject> MakeSeatedPerson(const HumanModel& humans, const Scene& scene,
+                                            Random& random) {
+  const auto pieces = Pieces(scene, {FurnitureRole::kSofa, FurnitureRole::kArmchair,
+                                     FurnitureRole::kChair, FurnitureRole::kBed});
+  if (pieces.empty()) return std::nullopt;
+  const SceneObject& piece = *random.Pick(pieces);
+  const BodyShape shape = DrawBodyShape(kFirstSleeper + random.Index(1000));
+  TriangleMesh mesh = MakeSittingPerson(humans, shape, SurfaceHeight(piece), random);
+  const Eigen::Vector3d& size = piece.box.size;
+  const double reach = std::max(0.0, size.x() / 2 - 0.4);
+  // The middle of a chair; the front of what is deep enough to lie on.
+  const double behind_front = std::min(size.y() / 2 + 0.05, 0.45);
+  const Eigen::Vector3d place =
+      Eigen::AngleAxisd(piece.box.yaw, Eigen::Vector3d::UnitZ()) *
+      Eigen::Vector3d(random.Uniform(-reach, reach), behind_front - size.y() / 2, 0);
+  return PlaceObject(kSeated, "seated-" + std::to_string(shape.id), std::move(mesh),
+                     {piece.box.center.x() + place.x(), piece.box.center.y() + place.y(), 0},
+                     piece.box.yaw - std::numbers::pi / 2 + random.Normal(0, 0.15));
 }
 
 }  // namespace fallen::sim

@@ -135,9 +135,23 @@ struct Distances {
   double nearest, farthest;  // [m]
 };
 
+// Whether something stands between the camera and what lies at the target.
+bool Hidden(const PathConfig& config, const ColumnGrid& grid, const Eigen::Vector2d& eye,
+            const Eigen::Vector2d& target) {
+  constexpr double kStep = 0.1, kTargetReach = 0.7, kTargetHeight = 0.15;  // [m]
+  const double distance = (target - eye).norm();
+  for (double s = 0.3; s < distance - kTargetReach; s += kStep) {
+    const double share = s / distance;
+    const Eigen::Vector2d p = eye + share * (target - eye);
+    const double z = (1 - share) * config.robot_height_m + share * kTargetHeight;
+    if (grid.Taken({p.x(), p.y(), z})) return true;
+  }
+  return false;
+}
+
 // Share of the frames in which the target is in view at the wanted distance, plus a little for
 // moving.
-double Score(const PathConfig& config, const std::vector<RobotPose>& path,
+double Score(const PathConfig& config, const ColumnGrid& grid, const std::vector<RobotPose>& path,
              const Eigen::Vector2d& target, const Distances& wanted) {
   constexpr double kMovingWorth = 0.1;  // of the score, for each metre driven, up to two
   double in_view = 0, driven = 0;
@@ -146,7 +160,7 @@ double Score(const PathConfig& config, const std::vector<RobotPose>& path,
     const double bearing = std::abs(WrapAngle(std::atan2(offset.y(), offset.x()) - path[i].yaw));
     const double distance = offset.norm();
     if (bearing < 0.8 * config.half_field_of_view_rad && distance > wanted.nearest &&
-        distance < wanted.farthest)
+        distance < wanted.farthest && !Hidden(config, grid, {path[i].x, path[i].y}, target))
       ++in_view;
     if (i > 0) driven += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
   }
@@ -169,7 +183,7 @@ std::vector<RobotPose> DrawPath(const PathConfig& config, const ColumnGrid& grid
   double best_score = -1;
   for (int i = 0; i < kDrives; ++i) {
     std::vector<RobotPose> path = Drive(config, space, target, random);
-    const double score = Score(config, path, *target, wanted);
+    const double score = Score(config, grid, path, *target, wanted);
     if (score <= best_score) continue;
     best_score = score;
     best = std::move(path);

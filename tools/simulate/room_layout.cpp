@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "tools/simulate/random.hpp"
+#include "tools/simulate/room_shell.hpp"
 
 namespace fallen::sim {
 namespace {
@@ -101,10 +102,20 @@ class Furnisher {
     }
     auto mesh = meshes_.find(model.name);
     if (mesh == meshes_.end()) mesh = meshes_.emplace(model.name, LoadFurnitureMesh(model)).first;
+    TriangleMesh painted = mesh->second;
+    Paint(painted);
     room_.scene.objects.push_back(
-        PlaceObject(kFurniture, model.name, mesh->second, {center.x(), center.y(), 0}, yaw));
+        PlaceObject(kFurniture, model.name, std::move(painted), {center.x(), center.y(), 0}, yaw));
     taken_.push_back(footprint);
     return footprint;
+  }
+
+  // Cloth and lacquer reflect as they like; black leather next to nothing.
+  void Paint(TriangleMesh& mesh) {
+    const bool black = random_.Chance(0.1);
+    const double factor = black ? random_.Uniform(0.05, 0.2) : random_.Uniform(0.4, 1.3);
+    for (std::uint8_t& albedo : mesh.albedo)
+      albedo = static_cast<std::uint8_t>(std::clamp(factor * albedo, 5.0, 240.0));
   }
 
   bool InRoom(const Footprint& footprint) const {
@@ -156,12 +167,72 @@ void FurnishStudy(Furnisher& furnisher, Random& random) {
   furnisher.Anywhere(furnisher.Draw(FurnitureRole::kArmchair), 0.15);
 }
 
-FreeFloor DrawFreeFloor(Random& random, const Eigen::Vector2d& room_size) {
+void FurnishKitchen(Furnisher& furnisher, Random& random) {
+  for (int i = random.Integer(3, 6); i > 0; --i)
+    furnisher.AgainstWall(furnisher.Draw(FurnitureRole::kCabinet));
+  if (random.Chance(0.5)) {
+    const auto table = furnisher.Anywhere(furnisher.Draw(FurnitureRole::kTable), 0.05);
+    if (table) furnisher.ChairsAround(*table, random.Integer(1, 2));
+  }
+}
+
+void FurnishBath(Furnisher& furnisher, Random& random) {
+  for (int i = random.Integer(2, 4); i > 0; --i)
+    furnisher.AgainstWall(furnisher.Draw(FurnitureRole::kBath));
+  if (random.Chance(0.5)) furnisher.AgainstWall(furnisher.Draw(FurnitureRole::kCabinet));
+}
+
+void FurnishCorridor(Furnisher& furnisher, Random& random) {
+  for (int i = random.Integer(0, 2); i > 0; --i)
+    furnisher.AgainstWall(furnisher.Draw(FurnitureRole::kCabinet));
+  if (random.Chance(0.4)) furnisher.AgainstWall(furnisher.Draw(FurnitureRole::kChair));
+}
+
+void FurnishEverything(Furnisher& furnisher, Random& random) {
+  FurnishLiving(furnisher, random);
+  FurnishDining(furnisher, random);
+  if (random.Chance(0.3)) FurnishBedroom(furnisher, random);
+}
+
+struct RoomKind {
+  int share;                    // of all rooms
+  Eigen::Vector2d least, most;  // size [m]
+  Eigen::Vector2d free_floor;   // kept clear [m]
+  void (*furnish)(Furnisher&, Random&);
+};
+
+// A tall person with arms half spread needs 2.2 m x 1.3 m; where there is less, one lies narrower.
+const RoomKind& DrawKind(Random& random) {
+  static const std::vector<RoomKind> kinds = {
+      {22, {3.8, 3.6}, {7.0, 6.0}, {2.2, 1.3}, FurnishLiving},
+      {10, {3.6, 3.4}, {6.0, 5.5}, {2.2, 1.3}, FurnishDining},
+      {20, {3.4, 3.3}, {5.5, 5.0}, {2.2, 1.3}, FurnishBedroom},
+      {8, {3.4, 3.3}, {5.5, 5.0}, {2.2, 1.3}, FurnishStudy},
+      {14, {5.0, 4.5}, {8.0, 6.5}, {2.2, 1.3}, FurnishEverything},
+      {8, {4.5, 2.6}, {6.5, 3.2}, {2.1, 1.0}, FurnishLiving},
+      {8, {3.0, 2.7}, {4.5, 4.0}, {2.0, 0.9}, FurnishKitchen},
+      {4, {2.8, 2.5}, {3.6, 3.2}, {2.0, 0.9}, FurnishBath},
+      {6, {4.5, 1.8}, {7.5, 2.4}, {2.1, 1.0}, FurnishCorridor}};
+  int draw = random.Index(100);
+  for (const RoomKind& kind : kinds) {
+    if (draw < kind.share) return kind;
+    draw -= kind.share;
+  }
+  return kinds.front();
+}
+
+FreeFloor DrawFreeFloor(Random& random, const Eigen::Vector2d& size,
+                        const Eigen::Vector2d& room_size) {
   FreeFloor free;
-  free.size = {2.2, 1.3};  // a tall person with arms half spread
+  free.size = size;
+  const auto reach_at = [&](double yaw) -> Eigen::Vector2d {
+    const double c = std::abs(std::cos(yaw)), s = std::abs(std::sin(yaw));
+    return room_size / 2 -
+           Eigen::Vector2d(c * size.x() + s * size.y(), s * size.x() + c * size.y()) / 2;
+  };
   free.yaw = random.Uniform(-kPi, kPi);
-  const Eigen::Vector2d reach =
-      room_size / 2 - Eigen::Vector2d::Constant(free.size.norm() / 2 + 0.1);
+  if (reach_at(free.yaw).minCoeff() < 0.1) free.yaw = random.Normal(0, 0.05);  // along the room
+  const Eigen::Vector2d reach = reach_at(free.yaw).cwiseMax(0);
   free.center = {random.Uniform(-reach.x(), reach.x()), random.Uniform(-reach.y(), reach.y())};
   return free;
 }
@@ -188,29 +259,15 @@ FurnishedRoom FurnishRoom(int id, FurniturePool pool, const FurnitureCatalogue& 
                           int clutter) {
   Random random = Random::Stream(static_cast<std::uint64_t>(id), "room");
   FurnishedRoom room;
-  room.scene.room_size = {random.Uniform(3.8, 6.5), random.Uniform(3.6, 5.5)};
-  room.height_m = random.Uniform(2.4, 2.8);
-  room.scene.shell = MakeShell(room.scene.room_size, room.height_m);
-  room.free_floor = DrawFreeFloor(random, room.scene.room_size);
+  const RoomKind& kind = DrawKind(random);
+  room.scene.room_size = {random.Uniform(kind.least.x(), kind.most.x()),
+                          random.Uniform(kind.least.y(), kind.most.y())};
+  room.height_m = random.Uniform(2.3, 2.9);
+  Random shell_random = Random::Stream(static_cast<std::uint64_t>(id), "shell");
+  room.scene.shell = MakeRoomShell(room.scene.room_size, room.height_m, shell_random);
+  room.free_floor = DrawFreeFloor(random, kind.free_floor, room.scene.room_size);
   Furnisher furnisher(random, pool, catalogue, room);
-  switch (random.Index(6)) {
-    case 0:
-    case 1:
-      FurnishLiving(furnisher, random);
-      break;
-    case 2:
-      FurnishDining(furnisher, random);
-      break;
-    case 3:
-      FurnishBedroom(furnisher, random);
-      break;
-    case 4:
-      FurnishStudy(furnisher, random);
-      break;
-    default:  // one room for everything, if it is large enough
-      FurnishLiving(furnisher, random);
-      FurnishDining(furnisher, random);
-  }
+  kind.furnish(furnisher, random);
   if (random.Chance(0.5)) furnisher.Anywhere(furnisher.Draw(FurnitureRole::kPlant), 0.1);
   for (int i = 0; i < clutter; ++i) furnisher.Anywhere(furnisher.Draw(FurnitureRole::kSmall), 0.05);
   return room;

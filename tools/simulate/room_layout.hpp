@@ -24,8 +24,9 @@ struct FurnishedRoom {
 
 /// Room `id` with furniture of a pool: the same room for the same arguments, whoever is in it.
 ///
-/// Sofas, beds and cabinets stand along walls, tables have chairs, nothing overlaps. About a third
-/// of the rooms each are living rooms, dining rooms or kitchens, bedrooms or studies.
+/// Sofas, beds and cabinets stand along walls, tables have chairs, nothing overlaps. Of a hundred
+/// rooms some 30 are living rooms, a fourth of them narrow, 20 bedrooms, 14 large ones for
+/// everything, 10 dining rooms, 8 studies, 8 kitchens, 6 corridors and 4 bathrooms.
 /// @param clutter  How many small things stand about.
 FurnishedRoom FurnishRoom(int id, FurniturePool pool, const FurnitureCatalogue& catalogue,
                           int clutter);

@@ -31,6 +31,7 @@ Scenario DrawScenario(const std::set<std::string>& given, Scenario scenario) {
     scenario.placement =
         draw < 0.6 ? Placement::kFree : (draw < 0.85 ? Placement::kTouching : Placement::kUnder);
   }
+  if (open("blanket")) scenario.blanket = stream("blanket").Chance(0.06);
   if (open("room")) scenario.room = stream("room").Integer(1, 1000);
   if (open("clutter")) scenario.clutter = stream("clutter").Integer(0, 4);
   if (open("distractors")) {

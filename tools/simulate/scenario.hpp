@@ -25,6 +25,7 @@ struct Scenario {
   int body = 1;        ///< which one, > 0
   PoseFamily pose = PoseFamily::kSupine;
   Placement placement = Placement::kFree;
+  bool blanket = false;           ///< over the person's legs
   std::optional<double> yaw_deg;  ///< of the line from pelvis to head in the world; any if missing
   bool furnished = true;          ///< false: bare room, the person in its middle
   int room = 1;                   ///< which one, > 0
@@ -53,6 +54,7 @@ struct Scenario {
     visit("body", body);
     visit("pose", pose);
     visit("placement", placement);
+    visit("blanket", blanket);
     visit("yaw_deg", yaw_deg);
     visit("furnished", furnished);
     visit("room", room);

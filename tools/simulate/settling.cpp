@@ -119,11 +119,17 @@ class Energy {
             transforms_.rotations[b] * capsule.end_b + transforms_.translations[b]};
   }
 
+  bool HeldOtherwise(int part) const {
+    return (capsules_.capsules[static_cast<std::size_t>(part)].leg && drawn_.legs_held) ||
+           (capsules_.IsTrunk(part) && drawn_.trunk_held);
+  }
+
   double Weight() {
     ends_.clear();
     double sum = 0;
     for (const BodyCapsule& capsule : capsules_.capsules) {
       ends_.push_back(Ends(capsule));
+      if (capsule.leg && drawn_.legs_held) continue;
       sum += capsule.mass * (ends_.back().first.z() + ends_.back().second.z()) / 2;
     }
     return kGravity * sum;
@@ -213,7 +219,7 @@ void Energy::Judge(const BodyPose& pose, SettledPose& settled) {
   settled.float_m = 0;
   for (const SkinPoint& point : skin) settled.sink_m = std::max(settled.sink_m, -point.p.z());
   for (std::size_t i = 0; i < capsules_.capsules.size(); ++i)
-    if (capsules_.capsules[i].must_rest)
+    if (capsules_.capsules[i].must_rest && !HeldOtherwise(static_cast<int>(i)))
       settled.float_m = std::max(settled.float_m, Gap(static_cast<int>(i), skin));
 }
 

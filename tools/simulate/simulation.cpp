@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tools/simulate/distractors.hpp"
+#include "tools/simulate/lying_props.hpp"
 #include "tools/simulate/persons.hpp"
 #include "tools/simulate/resting_person.hpp"
 #include "tools/simulate/room_layout.hpp"
@@ -111,10 +112,14 @@ void Simulation::AddPerson(const Assets& assets, ColumnGrid& grid) {
   PersonMesh person =
       MakeLyingPerson(assets.humans, DrawBodyShape(scenario_.body), scenario_.pose, pose_random);
   settled_ = person.settled;
+  if (scenario_.blanket)
+    person.props.push_back({"blanket", MakeBlanketOver(person.mesh, pose_random)});
+  TriangleMesh together = person.mesh;
+  for (const Prop& prop : person.props) together.Append(prop.mesh);
   std::optional<double> yaw;
   if (scenario_.yaw_deg) yaw = *scenario_.yaw_deg * kRadPerDeg;
   Random random = Random::Stream(seed, "person_place");
-  const auto place = PlaceOnFloor(person.mesh, scenario_.placement, yaw, grid, scene_, random);
+  const auto place = PlaceOnFloor(together, scenario_.placement, yaw, grid, scene_, random);
   if (!place)
     throw std::runtime_error(
         "room " + std::to_string(scenario_.room) + ": got no floor for body " +
@@ -128,6 +133,13 @@ void Simulation::AddPerson(const Assets& assets, ColumnGrid& grid) {
   grid.Add(object.mesh);
   person_ = scene_.objects.size();
   scene_.objects.push_back(std::move(object));
+  for (Prop& prop : person.props) {
+    if (prop.mesh.empty()) continue;
+    scene_.objects.push_back(PlaceObject(prop.name, prop.name, std::move(prop.mesh),
+                                         {place->position.x(), place->position.y(), 0},
+                                         place->yaw));
+    grid.Add(scene_.objects.back().mesh);
+  }
 }
 
 void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
@@ -135,10 +147,12 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
   for (std::size_t i = 0; i < scenario_.distractors.size(); ++i) {
     Random random = Random::Stream(seed, "distractor-" + std::to_string(i));
     const std::string& kind = scenario_.distractors[i];
-    if (kind == kResting) {
-      auto resting = MakeRestingPerson(assets.humans, scene_, random);
-      if (!resting) continue;  // neither bed nor sofa here
-      scene_.objects.push_back(std::move(*resting));
+    if (kind == kResting || kind == kSeated) {
+      auto person =
+          (kind == kResting ? MakeRestingPerson : MakeSeatedPerson)(assets.humans, scene_, random);
+      if (!person) continue;  // neither bed nor sofa nor chair here
+      grid.Add(person->mesh);
+      scene_.objects.push_back(std::move(*person));
       continue;
     }
     Distractor distractor =

@@ -12,7 +12,7 @@ using BodyShapeTest = WithAssets;
 TEST_F(BodyShapeTest, BodiesReachTheHeightTheyShould) {
   for (int id = 1; id <= 10; ++id) {
     const BodyShape shape = DrawBodyShape(id);
-    EXPECT_GE(shape.height_m, 1.5);
+    EXPECT_GE(shape.height_m, 1.45);
     EXPECT_LE(shape.height_m, 1.95);
     EXPECT_NEAR(MakeRestBody(assets().humans, shape).height_m, shape.height_m, 0.005) << id;
   }
@@ -41,8 +41,8 @@ TEST_F(BodyShapeTest, ClothesLieOutsideTheSkin) {
   double most = 0;
   for (const int v : body.body_vertices)
     most = std::max<double>(most, (body.dressed.col(v) - body.skin.col(v)).norm());
-  EXPECT_GT(most, 0.004);
-  EXPECT_LT(most, 0.05);
+  EXPECT_GT(most, 0.003);
+  EXPECT_LT(most, 2 * std::max(body.shape.top_thickness_m, body.shape.legs_thickness_m) + 0.01);
 }
 
 TEST_F(BodyShapeTest, AnUnknownTargetIsNamed) {
