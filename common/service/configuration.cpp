@@ -13,7 +13,7 @@ namespace fallen {
 namespace {
 
 constexpr char kSections[] =
-    "ground ndt background segmentation classification files service capture";
+    "ground ndt background segmentation classification alarm files service capture";
 
 /// Fills `config` from the section `name` and takes the name off the list of those to be explained.
 template <class Config>
@@ -43,10 +43,11 @@ std::string RelativeTo(const std::filesystem::path& folder, const std::string& p
 
 void ServiceConfig::Validate() const {
   if (lcm_url.empty()) throw std::invalid_argument("service: lcm_url is empty, must be an LCM URL");
-  if (!channels::IsValidCamera(camera))
-    throw std::invalid_argument("service: camera is '" + camera + "', must be 1 to " +
-                                std::to_string(channels::kMaxCameraLength) +
-                                " letters, digits, '_' or '-'");
+  for (const auto& [key, name] : {std::pair{"camera", &camera}, {"robot", &robot}})
+    if (!channels::IsValidCamera(*name))
+      throw std::invalid_argument(std::string("service: ") + key + " is '" + *name +
+                                  "', must be 1 to " + std::to_string(channels::kMaxCameraLength) +
+                                  " letters, digits, '_' or '-'");
 }
 
 SegmentationConfig Configuration::SegmentationOver(const SegmentationConfig& model_settings) const {
@@ -67,6 +68,7 @@ Configuration LoadConfiguration(const std::optional<std::filesystem::path>& path
   TakeSection(root, file, "ndt", config.ndt, known);
   TakeSection(root, file, "background", config.background, known);
   TakeSection(root, file, "classification", config.classification, known);
+  TakeSection(root, file, "alarm", config.alarm, known);
   TakeSection(root, file, "files", config.files, known);
   TakeSection(root, file, "service", config.service, known);
   TakeSection(root, file, "capture", config.capture, known);
@@ -82,6 +84,7 @@ Configuration LoadConfiguration(const std::optional<std::filesystem::path>& path
     };
   config.files.model = RelativeTo(path->parent_path(), config.files.model);
   config.files.environment_map = RelativeTo(path->parent_path(), config.files.environment_map);
+  config.files.zones = RelativeTo(path->parent_path(), config.files.zones);
   return config;
 }
 

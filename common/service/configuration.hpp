@@ -7,38 +7,45 @@
 #include <optional>
 #include <string>
 
+#include "fallen/alarm/alarm_config.hpp"
 #include "fallen/detection/detector.hpp"
 #include "fallen/service/capture_config.hpp"
 
 /// Configuration of a deployment: one YAML file that every service and tool reads its sections of.
 ///
-/// Sections: ground, ndt, background, segmentation, classification, files (model, environment_map),
-/// service (lcm_url, camera), capture. Every key has a default; an unknown key or section, a value
-/// of a wrong type or out of range is an error that names file and line.
+/// Sections: ground, ndt, background, segmentation, classification, alarm, files (model,
+/// environment_map, zones), service (lcm_url, camera, robot), capture. Every key has a default; an
+/// unknown key or section, a value of a wrong type or out of range is an error that names file and
+/// line.
 namespace fallen {
 
 /// Files that stages load. Relative paths are relative to the configuration file.
 struct FilesConfig {
   std::string model;            ///< empty: the shipped model
   std::string environment_map;  ///< empty: none, everything is foreground
+  std::string zones;            ///< empty: none, the alarm has one rule everywhere
 
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("model", model);
     visit("environment_map", environment_map);
+    visit("zones", zones);
   }
 };
 
 struct ServiceConfig {
   std::string lcm_url = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
   std::string camera = "CAMERA";
+  std::string robot = "robot";  ///< begins the ids of alarms, names their MQTT topics
 
-  /// @throws std::invalid_argument for an empty URL or a camera that cannot be part of a channel.
+  /// @throws std::invalid_argument for an empty URL, or a camera or robot that cannot be part of a
+  /// channel.
   void Validate() const;
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("lcm_url", lcm_url);
     visit("camera", camera);
+    visit("robot", robot);
   }
 };
 
@@ -48,6 +55,7 @@ struct Configuration {
   NdtConfig ndt;
   BackgroundConfig background;
   ClassificationConfig classification;
+  AlarmConfig alarm;
   FilesConfig files;  ///< paths as they can be opened: no longer relative to the file
   ServiceConfig service;
   CaptureConfig capture;

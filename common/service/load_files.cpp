@@ -6,6 +6,7 @@
 
 #include "fallen/messages/model_files.hpp"
 #include "fallen/service/config_text.hpp"
+#include "fallen/service/zone_file.hpp"
 
 namespace fallen {
 namespace {
@@ -34,6 +35,14 @@ BackgroundSubtractor LoadBackgroundFor(const Configuration& configuration,
   const EnvironmentMap environment = LoadEnvironmentMap(file);
   RequireCellSize(file, environment.cell_size_m, configuration);
   return BackgroundSubtractor(environment, configuration.background);
+}
+
+AlarmScope LoadAlarmScopeFor(const Configuration& configuration) {
+  AlarmScope scope;
+  scope.robot = configuration.service.robot;
+  scope.has_fixed_cameras = configuration.ndt.without_pose == PoseMode::kFixedCamera;
+  if (!configuration.files.zones.empty()) scope.zones = LoadZones(configuration.files.zones);
+  return scope;
 }
 
 }  // namespace fallen

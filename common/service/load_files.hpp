@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "fallen/alarm/alarm_fusion.hpp"
 #include "fallen/segmentation/background_subtraction.hpp"
 #include "fallen/service/configuration.hpp"
 
@@ -19,5 +20,9 @@ Model LoadModelFor(const Configuration& configuration, const std::string& flag =
 /// @throws std::runtime_error naming the file: not to be loaded, or made for another cell size.
 BackgroundSubtractor LoadBackgroundFor(const Configuration& configuration,
                                        const std::string& flag = {});
+
+/// Robot, zones and kind of cameras of a configuration.
+/// @throws std::runtime_error naming the file of zones and the line: not to be read, or no polygon.
+AlarmScope LoadAlarmScopeFor(const Configuration& configuration);
 
 }  // namespace fallen

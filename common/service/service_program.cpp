@@ -74,6 +74,7 @@ void ServiceContext::LogStart() const {
   LogInfo("background: " + ConfigText(config.background));
   LogInfo("segmentation over the defaults: " + ConfigText(config.SegmentationOver({})));
   LogInfo("classification: " + ConfigText(config.classification));
+  LogInfo("alarm: " + ConfigText(config.alarm));
   const std::string warning =
       ReceiveBufferWarning(config.service.lcm_url, SystemReceiveBufferLimit());
   if (!warning.empty()) LogWarning(warning);

@@ -51,6 +51,7 @@ TEST(ShippedConfiguration, DefaultYamlListsEveryKeyWithItsDefault) {
   ExpectDefaults<NdtConfig>(root, "ndt");
   ExpectDefaults<BackgroundConfig>(root, "background");
   ExpectDefaults<ClassificationConfig>(root, "classification");
+  ExpectDefaults<AlarmConfig>(root, "alarm");
 }
 
 TEST(ShippedConfiguration, DefaultYamlListsEverySegmentationKeyAsTheModels) {
