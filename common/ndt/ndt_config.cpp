@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fallen/ndt/ndt_mapper.hpp"
+#include "fallen/ndt/voxel_statistics.hpp"
 
 namespace fallen {
 namespace {
@@ -33,7 +34,7 @@ void NdtConfig::Validate() const {
   RequireWithin("max_height_m", max_height_m, ground_clearance_m, 100);
   RequireWithin("extent_m", extent_m, cell_size_m, 1000);
   RequireWithin("max_points_per_cell", max_points_per_cell, min_points, 1e9);
-  RequireWithin("min_eigenvalue_ratio", min_eigenvalue_ratio, 0, 1);
+  RequireWithin("min_eigenvalue_ratio", min_eigenvalue_ratio, kLeastEigenvalueRatio, 1);
   RequireWithin("hit_log_odds", hit_log_odds, 0, 100);
   RequireWithin("miss_log_odds", miss_log_odds, 0, 100);
   RequireWithin("unseen_miss_log_odds", unseen_miss_log_odds, 0, 100);

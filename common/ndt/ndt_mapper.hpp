@@ -44,7 +44,8 @@ struct NdtConfig {
   double max_height_m = 1.5;      ///< points higher above the floor are left out
   double extent_m = 6.0;          ///< cells farther from the camera horizontally are forgotten
   int max_points_per_cell = 400;  ///< N_max: beyond it old statistics are scaled down [Einhorn15]
-  double min_eigenvalue_ratio = 1e-3;  ///< lambda >= ratio * lambda_max [Saarinen13]
+  /// lambda >= ratio * lambda_max, from kLeastEigenvalueRatio to 1 [Saarinen13]
+  double min_eigenvalue_ratio = 1e-3;
   double hit_log_odds = 0.405465;      ///< log(0.6 / 0.4) per point
   double miss_log_odds = 0.405465;     ///< weight of a ray that surely passed through the cell
   double unseen_miss_log_odds = 0.05;  ///< for voxels that a ray crosses and that hold no Gaussian

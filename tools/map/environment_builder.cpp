@@ -32,8 +32,8 @@ Eigen::Vector3d Index(const Eigen::Vector3d& p_world, double cell_size_m) {
 void EnvironmentBuilderConfig::Validate() const {
   Require(cell_size_m >= 0.01 && cell_size_m <= 1, "cell_size_m", cell_size_m, "in [0.01, 1]");
   Require(min_points >= 1, "min_points", min_points, ">= 1");
-  Require(min_eigenvalue_ratio > 0 && min_eigenvalue_ratio <= 1, "min_eigenvalue_ratio",
-          min_eigenvalue_ratio, "in (0, 1]");
+  Require(min_eigenvalue_ratio >= kLeastEigenvalueRatio && min_eigenvalue_ratio <= 1,
+          "min_eigenvalue_ratio", min_eigenvalue_ratio, "in [1e-6, 1]");
 }
 
 EnvironmentBuilder::EnvironmentBuilder(const EnvironmentBuilderConfig& config) : config_(config) {

@@ -98,6 +98,26 @@ TEST(VoxelStatistics, FlooredEigenvaluesKeepTheirAxes) {
   expect_floored({-1e-18, 1e-12, 1e-8}, {1e-9, 1e-9, 1e-8});
 }
 
+// What a cell's message demands: Sylvester's criterion on the stored numbers.
+TEST(VoxelStatistics, TheLeastRatioStaysPositiveDefiniteInSinglePrecision) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal;
+  for (int round = 0; round < 2000; ++round) {
+    const Eigen::Quaterniond turn(normal(random), normal(random), normal(random), normal(random));
+    const Eigen::Matrix3d axes = turn.normalized().toRotationMatrix();
+    // A disc or a line through a voxel of a metre: the largest that there is.
+    const Eigen::Vector3d values(0, round % 2 == 0 ? 0.25 : 0, 0.25);
+    const Eigen::Matrix3d full = axes * values.asDiagonal() * axes.transpose();
+    const SymmetricMatrix3 floored =
+        FloorEigenvalues({full(0, 0), full(0, 1), full(0, 2), full(1, 1), full(1, 2), full(2, 2)},
+                         kLeastEigenvalueRatio);
+    const Eigen::Matrix3d stored = Full(floored).cast<float>().cast<double>();
+    ASSERT_GT(stored(0, 0), 0);
+    ASSERT_GT(stored.topLeftCorner(2, 2).determinant(), 0);
+    ASSERT_GT(stored.determinant(), 0) << round;
+  }
+}
+
 TEST(VoxelStatistics, ACovarianceAboveTheFloorIsNotTouched) {
   for (int seed = 0; seed < 50; ++seed) {
     const SymmetricMatrix3 covariance =

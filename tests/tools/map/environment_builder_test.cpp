@@ -104,6 +104,7 @@ TEST(EnvironmentBuilder, RefusesAConfigurationOutOfRange) {
   EXPECT_THROW(EnvironmentBuilder({.cell_size_m = 0}), std::invalid_argument);
   EXPECT_THROW(EnvironmentBuilder({.min_points = 0}), std::invalid_argument);
   EXPECT_THROW(EnvironmentBuilder({.min_eigenvalue_ratio = 2}), std::invalid_argument);
+  EXPECT_THROW(EnvironmentBuilder({.min_eigenvalue_ratio = 0}), std::invalid_argument);
 }
 
 }  // namespace
