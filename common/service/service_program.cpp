@@ -15,6 +15,13 @@
 #include "fallen/service/version.hpp"
 
 namespace fallen {
+namespace {
+
+std::string NoLcm(const std::string& url) {
+  return "LCM: '" + url + "' cannot be opened: is there a multicast route? (fallen-doctor tells)";
+}
+
+}  // namespace
 
 ServiceProgram::ServiceProgram(const std::string& service, const std::string& description,
                                Kind kind)
@@ -52,7 +59,7 @@ int ServiceProgram::Run(int argc, const char* const* argv,
     const std::string& url = configuration.service.lcm_url;
     RequireKnownLcmUrl(url);
     lcm::LCM lcm(url);
-    if (!lcm.good()) throw std::runtime_error("LCM URL: '" + url + "' cannot be opened");
+    if (!lcm.good()) throw std::runtime_error(NoLcm(url));
     SetUpLogging(service_);
     ServiceContext context{std::move(configuration), std::move(options), lcm, stop};
     return body(context);
@@ -81,9 +88,7 @@ void ServiceContext::LogStart() const {
 }
 
 int ServiceContext::Run(StageLoop& loop) const {
-  if (lcm.getFileno() < 0)
-    throw std::runtime_error("LCM cannot receive on '" + configuration.service.lcm_url +
-                             "': is there a multicast route? (fallen-doctor tells)");
+  if (lcm.getFileno() < 0) throw std::runtime_error(NoLcm(configuration.service.lcm_url));
   LogStart();
   return loop.Run([this] { return stop.Arrived(); });
 }

@@ -92,7 +92,7 @@ class CaptureChain : public testing::Test {
   }
 
   const test::VirtualCameraControl camera_;
-  const TestFolder folder_;
+  const TemporaryFolder folder_;
   const std::filesystem::path recording_ = folder_ / "film.oni";
   std::filesystem::path model_ = FALLEN_SOURCE_DIR "/models/fallen.model";
   std::filesystem::path configuration_;

@@ -6,14 +6,15 @@
 
 #include "fallen/service/channels.hpp"
 #include "tests/support/log_detection.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace fallen::testing_support {
 
 void ExpectSameAsTheTool(ServiceChain& chain, std::vector<std::string> tool) {
   const std::filesystem::path results = chain.folder() / "detect.lcm";
   tool.insert(tool.end(), {"--json", chain.folder() / "persons.json", "--output", results});
-  const Outcome outcome = RunToEnd(tool, chain.folder().path(), std::chrono::seconds(120));
-  ASSERT_EQ(outcome.exit_status, 0) << outcome.standard_error;
+  const ProgramOutcome outcome = RunCommand(tool);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   for (const Stage& stage : kStages) {
     const auto expected = BytesInLog(results, stage.output);
     EXPECT_FALSE(expected.empty());

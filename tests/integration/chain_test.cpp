@@ -57,7 +57,7 @@ class Chain : public testing::Test {
     }
   }
 
-  TestFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path recording_;
   std::filesystem::path model_;
 };

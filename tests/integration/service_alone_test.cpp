@@ -19,7 +19,7 @@ class ServiceAlone : public testing::TestWithParam<Stage> {};
 
 TEST_P(ServiceAlone, AnswersAsTheLibraryDoesBitForBitAndReportsIt) {
   const Stage& stage = GetParam();
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Model model = SyntheticModel();
   SaveModel(folder / "test.model", model);
   WriteSceneLog(folder / "input.lcm", kFrames);
@@ -65,7 +65,7 @@ TEST_P(ServiceAlone, AnswersAsTheLibraryDoesBitForBitAndReportsIt) {
 
 TEST_P(ServiceAlone, SurvivesGarbageOnEveryInputAndCountsIt) {
   const Stage& stage = GetParam();
-  const TestFolder folder;
+  const TemporaryFolder folder;
   SaveModel(folder / "test.model", SyntheticModel());
   ServiceChain chain(folder / "test.model");
   chain.Start(stage);
@@ -84,7 +84,7 @@ TEST_P(ServiceAlone, SurvivesGarbageOnEveryInputAndCountsIt) {
 
 TEST_P(ServiceAlone, InterruptEndsItCleanlyToo) {
   const Stage& stage = GetParam();
-  const TestFolder folder;
+  const TemporaryFolder folder;
   SaveModel(folder / "test.model", SyntheticModel());
   ServiceChain chain(folder / "test.model");
   chain.Start(stage);

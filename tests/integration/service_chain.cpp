@@ -3,7 +3,6 @@
 #include "tests/integration/service_chain.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace fallen::testing_support {
 namespace {
@@ -18,18 +17,6 @@ constexpr seconds kRunTimeout{120};
 constexpr std::chrono::milliseconds kJoinTime{500};
 
 }  // namespace
-
-TestFolder::TestFolder() {
-  static int count = 0;
-  path_ = std::filesystem::path(testing::TempDir()) /
-          ("fallen_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-  std::filesystem::create_directories(path_);
-}
-
-TestFolder::~TestFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 ServiceChain::ServiceChain(const std::filesystem::path& model,
                            const std::filesystem::path& configuration)

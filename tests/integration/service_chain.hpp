@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "fallen/detection/model.hpp"
-#include "tests/integration/child_process.hpp"
 #include "tests/integration/lcm_recorder.hpp"
 #include "tests/integration/private_network.hpp"
+#include "tests/support/child_process.hpp"
 #include "tests/support/stages.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace fallen::testing_support {
 
@@ -22,18 +23,6 @@ inline constexpr std::int64_t kMaxResidentBytes = std::int64_t{1} << 40;
 #else
 inline constexpr std::int64_t kMaxResidentBytes = 100 << 20;
 #endif
-
-/// A folder that goes with the test.
-class TestFolder {
- public:
-  TestFolder();
-  ~TestFolder();
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Services of ours as separate processes on a private network, and somebody who listens.
 class ServiceChain {
@@ -68,13 +57,13 @@ class ServiceChain {
   LcmRecorder& recorder() { return recorder_; }
   ChildProcess& process(const std::string& service) { return processes_.at(service); }
   void Forget(const std::string& service) { processes_.erase(service); }
-  const TestFolder& folder() const { return folder_; }
+  const TemporaryFolder& folder() const { return folder_; }
 
  private:
   const std::string url_;
   std::filesystem::path model_;
   std::filesystem::path configuration_;
-  TestFolder folder_;
+  TemporaryFolder folder_;
   LcmRecorder recorder_;
   std::map<std::string, ChildProcess> processes_;
 };

@@ -8,6 +8,7 @@
 #include "fallen/messages/model_files.hpp"
 #include "fallen/service/channels.hpp"
 #include "tests/integration/service_chain.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/support/synthetic_model.hpp"
 
 namespace fallen::testing_support {
@@ -24,18 +25,17 @@ class ServiceCommandLine : public testing::TestWithParam<Stage> {
  protected:
   ServiceCommandLine() : url_(EnterPrivateNetwork()), name_("fallen-" + GetParam().service) {}
 
-  Outcome Call(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), Program(name_));
-    return RunToEnd(arguments, folder_.path(), std::chrono::seconds(20));
+  ProgramOutcome Call(const std::vector<std::string>& arguments) {
+    return RunProgram(name_, arguments);
   }
 
   /// Expects exit status 2 and one line on stderr with the program's name; returns the rest of it.
   std::string Complaint(const std::vector<std::string>& arguments) {
-    const Outcome outcome = Call(arguments);
-    EXPECT_EQ(outcome.exit_status, 2) << outcome.standard_error;
-    EXPECT_EQ(outcome.standard_output, "");
-    const std::string& error = outcome.standard_error;
-    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
+    const ProgramOutcome outcome = Call(arguments);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    const std::string& error = outcome.err;
+    EXPECT_TRUE(IsOneLine(error)) << error;
     EXPECT_THAT(error, StartsWith(name_ + ": "));
     return error.substr(std::min(error.size(), name_.size() + 2));
   }
@@ -47,7 +47,7 @@ class ServiceCommandLine : public testing::TestWithParam<Stage> {
 
   std::string url_;
   std::string name_;
-  TestFolder folder_;
+  TemporaryFolder folder_;
 };
 
 /// Services that load a model.
@@ -56,19 +56,18 @@ class ModelCommandLine : public ServiceCommandLine {};
 class MapCommandLine : public ServiceCommandLine {};
 
 TEST_P(ServiceCommandLine, HelpNamesTheCommonFlags) {
-  const Outcome outcome = Call({"--help"});
-  EXPECT_EQ(outcome.exit_status, 0);
-  EXPECT_THAT(outcome.standard_output,
+  const ProgramOutcome outcome = Call({"--help"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out,
               AllOf(HasSubstr("--config"), HasSubstr("--lcm-url"), HasSubstr("--camera"),
                     HasSubstr("--lossless"), HasSubstr("--version")));
-  EXPECT_EQ(outcome.standard_error, "");
+  EXPECT_EQ(outcome.err, "");
 }
 
 TEST_P(ServiceCommandLine, VersionIsOneLine) {
-  const Outcome outcome = Call({"--version"});
-  EXPECT_EQ(outcome.exit_status, 0);
-  EXPECT_THAT(outcome.standard_output,
-              testing::MatchesRegex(name_ + " [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  const ProgramOutcome outcome = Call({"--version"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, testing::MatchesRegex(name_ + " [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
 TEST_P(ServiceCommandLine, WrongFlagsAreOneLine) {
@@ -77,6 +76,15 @@ TEST_P(ServiceCommandLine, WrongFlagsAreOneLine) {
   EXPECT_THAT(Complaint({"--camera"}), HasSubstr("--camera"));
   EXPECT_THAT(Complaint({"--camera", ".*"}), HasSubstr("camera is '.*'"));
   EXPECT_THAT(Complaint({"--lcm-url", "udp://1.2.3.4:5"}), HasSubstr("udp://1.2.3.4:5"));
+}
+
+TEST_P(ServiceCommandLine, WithoutAMulticastRouteItPointsToTheDoctor) {
+  if (RunCommand({"unshare", "--net", "true"}).status != 0)
+    GTEST_SKIP() << "network name spaces are not allowed here";
+  const ProgramOutcome outcome = RunCommand({"unshare", "--net", Program(name_)});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err,
+              testing::EndsWith("is there a multicast route? (fallen-doctor tells)\n"));
 }
 
 TEST_P(ServiceCommandLine, WrongConfigurationNamesFileAndLine) {

@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdio>
 #include <future>
 #include <lcm/lcm-cpp.hpp>
 
@@ -16,6 +12,7 @@
 #include "fallen/service_status_t.hpp"
 #include "services/depth_capture/oni_file.hpp"
 #include "tests/services/depth_capture/virtual_camera_control.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace fallen {
 namespace {
@@ -24,31 +21,17 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using virtual_camera::PatternFrame;
 
-struct ShellResult {
-  int exit_status = -1;
-  std::string output;  // stdout
-};
-
 /// Runs the program among virtual cameras, with what the shell is to do with its streams.
-ShellResult RunCapture(const std::string& arguments, const std::string& wrapper = "") {
-  const std::string command = "LD_LIBRARY_PATH=" FALLEN_OPENNI2_DIR " " + wrapper +
-                              " " FALLEN_BIN_DIR "/fallen-depth-capture " + arguments;
-  ShellResult result;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return result;
-  std::array<char, 4096> buffer;
-  for (std::size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    result.output.append(buffer.data(), count);
-  const int status = pclose(pipe);
-  result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return result;
+ProgramOutcome RunCapture(const std::string& arguments, const std::string& wrapper = "") {
+  return RunShell("LD_LIBRARY_PATH=" FALLEN_OPENNI2_DIR " " + wrapper +
+                  " " FALLEN_BIN_DIR "/fallen-depth-capture " + arguments);
 }
 
 TEST(DepthCaptureProgramTest, ListsCamerasAndTheirModes) {
   const test::VirtualCameraControl control;
-  const ShellResult result = RunCapture("--list");
-  EXPECT_EQ(result.exit_status, 0);
-  EXPECT_EQ(result.output,
+  const ProgramOutcome result = RunCapture("--list");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out,
             "virtual://0  Fallen Virtual camera 0\n"
             "    --width 320 --height 240 --rate 30 --unit 1mm\n"
             "    --width 320 --height 240 --rate 60 --unit 1mm\n"
@@ -56,12 +39,12 @@ TEST(DepthCaptureProgramTest, ListsCamerasAndTheirModes) {
             "    --width 320 --height 240 --rate 30 --unit 100um\n"
             "    --width 640 --height 480 --rate 30 --unit 100um\n");
   control.Set("unplugged");
-  EXPECT_EQ(RunCapture("--list").output, "no camera is plugged in\n");
+  EXPECT_EQ(RunCapture("--list").out, "no camera is plugged in\n");
 }
 
 TEST(DepthCaptureProgramTest, RefusesAWrongCallInOneLine) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "there.oni") << "there already";
   std::ofstream(folder / "wrong.yaml") << "capture:\n  widht: 3\n";
   struct Case {
@@ -89,14 +72,14 @@ TEST(DepthCaptureProgramTest, RefusesAWrongCallInOneLine) {
       {"--config " + (folder / "wrong.yaml").string(), "wrong.yaml:2"},
   };
   for (const Case& wrong : cases) {
-    const ShellResult result = RunCapture("--lcm-url memq:// " + wrong.arguments + " 2>&1");
-    EXPECT_EQ(result.exit_status, 2) << wrong.arguments << "\n" << result.output;
-    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
-    EXPECT_THAT(result.output, StartsWith("fallen-depth-capture: "));
-    EXPECT_THAT(result.output, HasSubstr(wrong.told)) << wrong.arguments;
+    const ProgramOutcome result = RunCapture("--lcm-url memq:// " + wrong.arguments + " 2>&1");
+    EXPECT_EQ(result.status, 2) << wrong.arguments << "\n" << result.out;
+    EXPECT_TRUE(IsOneLine(result.out)) << result.out;
+    EXPECT_THAT(result.out, StartsWith("fallen-depth-capture: "));
+    EXPECT_THAT(result.out, HasSubstr(wrong.told)) << wrong.arguments;
   }
-  EXPECT_EQ(RunCapture("--help").exit_status, 0);
-  EXPECT_THAT(RunCapture("--version").output, StartsWith("fallen-depth-capture "));
+  EXPECT_EQ(RunCapture("--help").status, 0);
+  EXPECT_THAT(RunCapture("--version").out, StartsWith("fallen-depth-capture "));
 }
 
 /// Listens on a port of this process.
@@ -142,7 +125,7 @@ class Listener {
 
 TEST(DepthCaptureProgramTest, SendsPicturesAndRecordsThemUntilItIsStopped) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   Listener listener;
   auto result = std::async(std::launch::async, [&] {
     return RunCapture(
@@ -150,8 +133,8 @@ TEST(DepthCaptureProgramTest, SendsPicturesAndRecordsThemUntilItIsStopped) {
         "timeout --preserve-status -s TERM 3");
   });
   listener.ListenUntil(result);
-  const ShellResult ended = result.get();
-  EXPECT_EQ(ended.exit_status, 0) << ended.output;
+  const ProgramOutcome ended = result.get();
+  EXPECT_EQ(ended.status, 0) << ended.out;
   EXPECT_GE(listener.frames.size(), 30U);
   for (const StampedDepthImage& frame : listener.frames) {
     EXPECT_EQ(frame.header.sensor_name, "CAMERA");

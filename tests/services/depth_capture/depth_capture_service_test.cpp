@@ -272,7 +272,7 @@ CapturePlan PlayPlan(const std::filesystem::path& path) {
 
 TEST(DepthCaptureServiceTest, ReplaysARecordingBitForBit) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   const std::vector<StampedDepthImage> live = Record(folder / "a.oni", 20);
   CapturePlan plan = PlayPlan(folder / "a.oni");
   plan.epoch_us = 5'000'000;
@@ -298,7 +298,7 @@ TEST(DepthCaptureServiceTest, ReplaysARecordingBitForBit) {
 
 TEST(DepthCaptureServiceTest, PlaysInRealTimeUnlessToldOtherwise) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   Record(folder / "a.oni", 30);
   const auto time_of = [&](bool as_fast_as_possible) {
     CapturePlan plan = PlayPlan(folder / "a.oni");
@@ -316,7 +316,7 @@ TEST(DepthCaptureServiceTest, PlaysInRealTimeUnlessToldOtherwise) {
 
 TEST(DepthCaptureServiceTest, LoopsWithTimeAndNumbersGoingOn) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   Record(folder / "a.oni", 5);
   const std::size_t length = OniFile(folder / "a.oni").frame_count();
   CapturePlan plan = PlayPlan(folder / "a.oni");
@@ -334,7 +334,7 @@ TEST(DepthCaptureServiceTest, LoopsWithTimeAndNumbersGoingOn) {
 
 TEST(DepthCaptureServiceTest, BeginsANewRecordingWithEachCamera) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   CapturePlan plan = SmallPlan();
   plan.record = folder / "a.oni";
   {

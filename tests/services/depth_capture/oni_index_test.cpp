@@ -88,7 +88,7 @@ class OniIndexTest : public ::testing::Test {
     return "nothing thrown";
   }
 
-  test::ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(OniIndexTest, ListsTheFramesOfTheFirstDepthStream) {

@@ -155,8 +155,7 @@ TEST(OpenNiCameraTest, SaysWhenItIsUnpluggedAndOpensAgainAfterwards) {
     EXPECT_THROW(for (int i = 0; i < 100; ++i) camera.Read(std::chrono::milliseconds(50)),
                  CameraUnavailable);
     control.Set("plugged");
-    while (ListCameras(session).empty())
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (ListCameras(session).empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
@@ -189,7 +188,7 @@ class OniFileModeTest : public ::testing::TestWithParam<DepthMode> {};
 
 TEST_P(OniFileModeTest, ReplaysARecordingBitForBit) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   const DepthMode mode = GetParam();
   const std::vector<CameraFrame> recorded = Record(folder / "a.oni", mode, 8);
   OniFile file(folder / "a.oni", {.epoch_us = 1000, .sensor_name = "LEFT", .T_robot_camera = {}});
@@ -214,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, OniFileModeTest, ::testing::Values(kSmall, kLarg
 
 TEST(OniFileTest, GivesTheSameEveryTime) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   Record(folder / "a.oni", kSmall, 20);
   for (int round = 0; round < 3; ++round) {
     OniFile first(folder / "a.oni");
@@ -230,7 +229,7 @@ TEST(OniFileTest, GivesTheSameEveryTime) {
 }
 
 TEST(OniFileTest, RefusesAFileThatIsMissingOrNoRecording) {
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   EXPECT_THAT(MessageOf([&] { OniFile(folder / "missing.oni"); }),
               AllOf(HasSubstr("missing.oni"), HasSubstr("cannot be read")));
   EXPECT_THAT(MessageOf([&] { OniFile(folder / ""); }), HasSubstr("cannot be read"));
@@ -242,7 +241,7 @@ TEST(OniFileTest, RefusesAFileThatIsMissingOrNoRecording) {
 
 TEST(OniFileTest, RefusesAFileThatIsCutOffAnywhere) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   Record(folder / "a.oni", kSmall, 3);
   const auto size = std::filesystem::file_size(folder / "a.oni");
   // Everywhere in the last record (the end mark), and at places spread over the whole file.
@@ -261,7 +260,7 @@ TEST(OniFileTest, RefusesAFileThatIsCutOffAnywhere) {
 
 TEST(OniFileTest, ReadsAPathThatIsTooLongForOpenNi2) {
   const test::VirtualCameraControl control;
-  const test::ScratchFolder folder;
+  const TemporaryFolder folder;
   Record(folder / "a.oni", kSmall, 1);
   const std::filesystem::path deep = folder / (std::string(150, 'd') + "/" + std::string(150, 'e'));
   std::filesystem::create_directories(deep);

@@ -7,30 +7,10 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/temporary_folder.hpp"
 #include "tests/virtual_camera/virtual_pattern.hpp"
 
 namespace fallen::test {
-
-/// Scratch folder that goes when the test does.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "fallen-capture-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder: " + name);
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Steers the virtual cameras of this process and of those that it starts.
 class VirtualCameraControl {
@@ -50,7 +30,7 @@ class VirtualCameraControl {
   }
 
  private:
-  ScratchFolder folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace fallen::test

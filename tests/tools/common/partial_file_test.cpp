@@ -8,7 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "tests/tools/common/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace fallen {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/grey_png.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
 
 namespace fallen {
 

@@ -10,10 +10,10 @@
 #include "fallen/messages/guarded_decoding.hpp"
 #include "fallen/messages/log_file.hpp"
 #include "fallen/messages/model_files.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/lying_scene.hpp"
 #include "tests/tools/common/plain_model.hpp"
-#include "tests/tools/common/run_program.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
 #include "tools/detect/stage_medians.hpp"
 #include "tools/import/import_log.hpp"
 

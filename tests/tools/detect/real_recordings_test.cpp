@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/tools/common/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tools/detect/detect.hpp"
 
 namespace fallen {

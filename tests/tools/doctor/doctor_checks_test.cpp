@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/tools/doctor/doctor_support.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tools/doctor/file_checks.hpp"
 #include "tools/doctor/finding.hpp"
 #include "tools/doctor/network_checks.hpp"
@@ -134,7 +134,7 @@ class FileChecksTest : public ::testing::Test {
     std::ofstream(folder_.path() / name, std::ios::binary) << text;
     return folder_.path() / name;
   }
-  test::Folder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(FileChecksTest, TellsTheLineOfAWrongKey) {

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/grey_png.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
 #include "tools/import/input_error.hpp"
 
 namespace fallen {

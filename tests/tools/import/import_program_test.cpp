@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
-#include "tests/tools/common/run_program.hpp"
+#include "tests/support/run_program.hpp"
 #include "tests/tools/common/tum_fixture.hpp"
 
 namespace fallen {

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/tools/common/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tools/import/input_error.hpp"
 
 namespace fallen {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "message_samples.hpp"
-#include "tests/tools/common/run_program.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tools/log_check/log_report.hpp"
 
 namespace fallen {

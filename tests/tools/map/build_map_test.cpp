@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "fallen/messages/model_files.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/lying_scene.hpp"
-#include "tests/tools/common/run_program.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
 #include "tools/import/import_log.hpp"
 #include "tools/map/cloud_file.hpp"
 #include "tools/map/map_info.hpp"

@@ -7,7 +7,7 @@
 #include "fallen/messages/conversions.hpp"
 #include "fallen/messages/guarded_decoding.hpp"
 #include "fallen/messages/log_file.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/simulate/assets_fixture.hpp"
 
 namespace fallen::sim {

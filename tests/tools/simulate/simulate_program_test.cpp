@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "tests/tools/common/run_program.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace fallen {
 namespace {

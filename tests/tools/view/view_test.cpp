@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "fallen/messages/model_files.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/lying_scene.hpp"
 #include "tests/tools/common/plain_model.hpp"
-#include "tests/tools/common/run_program.hpp"
-#include "tests/tools/common/temporary_folder.hpp"
 #include "tools/view/box_edges.hpp"
 #include "tools/view/canvas.hpp"
 #include "tools/view/frame_choice.hpp"

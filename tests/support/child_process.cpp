@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/integration/child_process.hpp"
+#include "tests/support/child_process.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -8,24 +8,17 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace fallen::testing_support {
 namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{5};
 constexpr int kDiedOfSignal = 128;  // as shells say it
-
-std::string ReadFile(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 void Redirect(const std::filesystem::path& path, int descriptor) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -89,20 +82,10 @@ std::optional<int> ChildProcess::Stop(std::chrono::milliseconds timeout) {
   return WaitForExit(timeout);
 }
 
-std::string ChildProcess::StandardOutput() const { return ReadFile(output_); }
+std::string ChildProcess::StandardOutput() const { return ReadText(output_); }
 
-std::string ChildProcess::StandardError() const { return ReadFile(error_); }
+std::string ChildProcess::StandardError() const { return ReadText(error_); }
 
 std::string Program(const std::string& name) { return std::string(FALLEN_BIN_DIR) + "/" + name; }
-
-Outcome RunToEnd(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                 std::chrono::milliseconds timeout) {
-  ChildProcess child(command, folder);
-  Outcome outcome;
-  outcome.exit_status = child.WaitForExit(timeout).value_or(-1);
-  outcome.standard_output = child.StandardOutput();
-  outcome.standard_error = child.StandardError();
-  return outcome;
-}
 
 }  // namespace fallen::testing_support

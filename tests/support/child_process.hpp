@@ -42,13 +42,4 @@ class ChildProcess {
 /// Path of a program of ours.
 std::string Program(const std::string& name);
 
-/// What a program that ends by itself leaves.
-struct Outcome {
-  int exit_status = -1;  ///< -1: had to be killed
-  std::string standard_output;
-  std::string standard_error;
-};
-Outcome RunToEnd(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                 std::chrono::milliseconds timeout = std::chrono::seconds(60));
-
 }  // namespace fallen::testing_support
