@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -15,12 +16,13 @@
 #include "tools/common/tool.hpp"
 #include "tools/simulate/preview.hpp"
 #include "tools/simulate/recording.hpp"
+#include "tools/simulate/recording_report.hpp"
 
 namespace {
 
 struct Arguments {
   std::filesystem::path scenario;
-  std::optional<std::filesystem::path> output, preview, assets;
+  std::optional<std::filesystem::path> output, preview, report, assets;
   std::vector<std::string> settings;
   int jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   bool describe = false;
@@ -28,17 +30,26 @@ struct Arguments {
 
 int Run(const Arguments& arguments) {
   using namespace fallen::sim;
-  if (!arguments.output && !arguments.preview && !arguments.describe)
-    throw std::invalid_argument("got nothing to do, expected --output, --preview or --describe");
+  const bool simulate = arguments.output || arguments.preview || arguments.report;
+  if (!simulate && !arguments.describe)
+    throw std::invalid_argument(
+        "got nothing to do, expected --output, --preview, --report or --describe");
   const Scenario scenario = LoadScenario(arguments.scenario, arguments.settings);
   if (arguments.describe) std::cout << DescribeScenario(scenario) << std::endl;
-  if (!arguments.output && !arguments.preview) return 0;
+  if (!simulate) return 0;
   const Assets assets = LoadAssets(AssetsFolder(arguments.assets));
   const Simulation simulation(scenario, assets);
   constexpr int kPreviewFrames = 4;
   if (arguments.preview)
     WritePng(*arguments.preview,
              DrawPreview(simulation, std::min(kPreviewFrames, scenario.frames)));
+  if (arguments.report) {
+    fallen::PartialFile report(*arguments.report);
+    std::ofstream stream(report.path());
+    if (!(stream << DescribeRecording(simulation) << "\n" << std::flush))
+      throw std::runtime_error(arguments.report->string() + ": cannot be written");
+    report.Commit();
+  }
   if (!arguments.output) return 0;
   fallen::PartialFile log(*arguments.output);
   fallen::ProgressBar bar("simulate");
@@ -72,6 +83,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   parser->add_option("--preview", arguments.preview,
                      "PNG with some frames, labels and the room from above");
+  parser->add_option("--report", arguments.report,
+                     "JSON with what is true of the recording: placement, visible share, ...");
   parser->add_option(
       "--assets", arguments.assets,
       "Folder that tools/fetch-assets filled (default: $FALLEN_ASSETS, else assets/)");

@@ -137,16 +137,25 @@ struct Distances {
 
 // Whether something stands between the camera and what lies at the target.
 bool Hidden(const PathConfig& config, const ColumnGrid& grid, const Eigen::Vector2d& eye,
-            const Eigen::Vector2d& target) {
-  constexpr double kStep = 0.1, kTargetReach = 0.7, kTargetHeight = 0.15;  // [m]
+            const Eigen::Vector2d& target, double target_reach) {
+  constexpr double kStep = 0.04, kTargetHeight = 0.15;  // [m]
   const double distance = (target - eye).norm();
-  for (double s = 0.3; s < distance - kTargetReach; s += kStep) {
+  for (double s = 0.3; s < distance - target_reach; s += kStep) {
     const double share = s / distance;
     const Eigen::Vector2d p = eye + share * (target - eye);
     const double z = (1 - share) * config.robot_height_m + share * kTargetHeight;
     if (grid.Taken({p.x(), p.y(), z})) return true;
   }
   return false;
+}
+
+// Whether the target shows as much of itself as is wanted.
+bool ShowsEnough(const PathConfig& config, const ColumnGrid& grid, const Eigen::Vector2d& eye,
+                 const Eigen::Vector2d& target) {
+  constexpr double kBodyLength = 0.7, kBodyWidth = 0.35;  // [m], from its middle, or its axis
+  if (!config.half_hidden) return !Hidden(config, grid, eye, target, kBodyLength);
+  return Hidden(config, grid, eye, target + *config.half_hidden, kBodyWidth) !=
+         Hidden(config, grid, eye, target - *config.half_hidden, kBodyWidth);
 }
 
 // Share of the frames in which the target is in view at the wanted distance, plus a little for
@@ -160,7 +169,7 @@ double Score(const PathConfig& config, const ColumnGrid& grid, const std::vector
     const double bearing = std::abs(WrapAngle(std::atan2(offset.y(), offset.x()) - path[i].yaw));
     const double distance = offset.norm();
     if (bearing < 0.8 * config.half_field_of_view_rad && distance > wanted.nearest &&
-        distance < wanted.farthest && !Hidden(config, grid, {path[i].x, path[i].y}, target))
+        distance < wanted.farthest && ShowsEnough(config, grid, {path[i].x, path[i].y}, target))
       ++in_view;
     if (i > 0) driven += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
   }
@@ -172,7 +181,7 @@ double Score(const PathConfig& config, const ColumnGrid& grid, const std::vector
 std::vector<RobotPose> DrawPath(const PathConfig& config, const ColumnGrid& grid,
                                 const Eigen::Vector2d& room_size,
                                 const std::optional<Eigen::Vector2d>& target, Random& random) {
-  constexpr int kDrives = 40;
+  const int drives = config.half_hidden ? 150 : 40;  // it is a rare view
   const FreeSpace space(config, grid, room_size);
   if (space.empty()) return std::vector<RobotPose>(static_cast<std::size_t>(config.frames));
   if (!target) return Drive(config, space, target, random);
@@ -181,7 +190,7 @@ std::vector<RobotPose> DrawPath(const PathConfig& config, const ColumnGrid& grid
   const Distances wanted = kDistances[random.Index(std::size(kDistances))];
   std::vector<RobotPose> best;
   double best_score = -1;
-  for (int i = 0; i < kDrives; ++i) {
+  for (int i = 0; i < drives; ++i) {
     std::vector<RobotPose> path = Drive(config, space, target, random);
     const double score = Score(config, grid, path, *target, wanted);
     if (score <= best_score) continue;

@@ -194,7 +194,8 @@ void FurnishEverything(Furnisher& furnisher, Random& random) {
   if (random.Chance(0.3)) FurnishBedroom(furnisher, random);
 }
 
-struct RoomKind {
+struct RoomPlan {
+  RoomKind kind;
   int share;                    // of all rooms
   Eigen::Vector2d least, most;  // size [m]
   Eigen::Vector2d free_floor;   // kept clear [m]
@@ -202,23 +203,23 @@ struct RoomKind {
 };
 
 // A tall person with arms half spread needs 2.2 m x 1.3 m; where there is less, one lies narrower.
-const RoomKind& DrawKind(Random& random) {
-  static const std::vector<RoomKind> kinds = {
-      {22, {3.8, 3.6}, {7.0, 6.0}, {2.2, 1.3}, FurnishLiving},
-      {10, {3.6, 3.4}, {6.0, 5.5}, {2.2, 1.3}, FurnishDining},
-      {20, {3.4, 3.3}, {5.5, 5.0}, {2.2, 1.3}, FurnishBedroom},
-      {8, {3.4, 3.3}, {5.5, 5.0}, {2.2, 1.3}, FurnishStudy},
-      {14, {5.0, 4.5}, {8.0, 6.5}, {2.2, 1.3}, FurnishEverything},
-      {8, {4.5, 2.6}, {6.5, 3.2}, {2.1, 1.0}, FurnishLiving},
-      {8, {3.0, 2.7}, {4.5, 4.0}, {2.0, 0.9}, FurnishKitchen},
-      {4, {2.8, 2.5}, {3.6, 3.2}, {2.0, 0.9}, FurnishBath},
-      {6, {4.5, 1.8}, {7.5, 2.4}, {2.1, 1.0}, FurnishCorridor}};
+const RoomPlan& DrawPlan(RoomKind wanted, Random& random) {
+  static const std::vector<RoomPlan> plans = {
+      {RoomKind::kLiving, 22, {3.8, 3.6}, {7.0, 6.0}, {2.2, 1.3}, FurnishLiving},
+      {RoomKind::kDining, 10, {3.6, 3.4}, {6.0, 5.5}, {2.2, 1.3}, FurnishDining},
+      {RoomKind::kBedroom, 20, {3.4, 3.3}, {5.5, 5.0}, {2.2, 1.3}, FurnishBedroom},
+      {RoomKind::kStudy, 8, {3.4, 3.3}, {5.5, 5.0}, {2.2, 1.3}, FurnishStudy},
+      {RoomKind::kLarge, 14, {5.0, 4.5}, {8.0, 6.5}, {2.2, 1.3}, FurnishEverything},
+      {RoomKind::kNarrowLiving, 8, {4.5, 2.6}, {6.5, 3.2}, {2.1, 1.0}, FurnishLiving},
+      {RoomKind::kKitchen, 8, {3.0, 2.7}, {4.5, 4.0}, {2.0, 0.9}, FurnishKitchen},
+      {RoomKind::kBath, 4, {2.8, 2.5}, {3.6, 3.2}, {2.0, 0.9}, FurnishBath},
+      {RoomKind::kCorridor, 6, {4.5, 1.8}, {7.5, 2.4}, {2.1, 1.0}, FurnishCorridor}};
   int draw = random.Index(100);
-  for (const RoomKind& kind : kinds) {
-    if (draw < kind.share) return kind;
-    draw -= kind.share;
+  for (const RoomPlan& plan : plans) {
+    if (plan.kind == wanted || (wanted == RoomKind::kAny && draw < plan.share)) return plan;
+    draw -= plan.share;
   }
-  return kinds.front();
+  return plans.front();
 }
 
 FreeFloor DrawFreeFloor(Random& random, const Eigen::Vector2d& size,
@@ -256,18 +257,18 @@ bool Overlap(const Footprint& a, const Footprint& b, double margin_m) {
 }
 
 FurnishedRoom FurnishRoom(int id, FurniturePool pool, const FurnitureCatalogue& catalogue,
-                          int clutter) {
+                          int clutter, RoomKind kind) {
   Random random = Random::Stream(static_cast<std::uint64_t>(id), "room");
   FurnishedRoom room;
-  const RoomKind& kind = DrawKind(random);
-  room.scene.room_size = {random.Uniform(kind.least.x(), kind.most.x()),
-                          random.Uniform(kind.least.y(), kind.most.y())};
+  const RoomPlan& plan = DrawPlan(kind, random);
+  room.scene.room_size = {random.Uniform(plan.least.x(), plan.most.x()),
+                          random.Uniform(plan.least.y(), plan.most.y())};
   room.height_m = random.Uniform(2.3, 2.9);
   Random shell_random = Random::Stream(static_cast<std::uint64_t>(id), "shell");
   room.scene.shell = MakeRoomShell(room.scene.room_size, room.height_m, shell_random);
-  room.free_floor = DrawFreeFloor(random, kind.free_floor, room.scene.room_size);
+  room.free_floor = DrawFreeFloor(random, plan.free_floor, room.scene.room_size);
   Furnisher furnisher(random, pool, catalogue, room);
-  kind.furnish(furnisher, random);
+  plan.furnish(furnisher, random);
   if (random.Chance(0.5)) furnisher.Anywhere(furnisher.Draw(FurnitureRole::kPlant), 0.1);
   for (int i = 0; i < clutter; ++i) furnisher.Anywhere(furnisher.Draw(FurnitureRole::kSmall), 0.05);
   return room;

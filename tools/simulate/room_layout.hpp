@@ -9,6 +9,31 @@
 
 namespace fallen::sim {
 
+enum class RoomKind {
+  kAny,  ///< drawn by the room's number
+  kLiving,
+  kDining,
+  kBedroom,
+  kStudy,
+  kLarge,  ///< a room for everything
+  kNarrowLiving,
+  kKitchen,
+  kBath,
+  kCorridor,
+};
+constexpr auto EnumNames(RoomKind) {
+  return EnumTable<RoomKind, 10>{{{RoomKind::kAny, "any"},
+                                  {RoomKind::kLiving, "living"},
+                                  {RoomKind::kDining, "dining"},
+                                  {RoomKind::kBedroom, "bedroom"},
+                                  {RoomKind::kStudy, "study"},
+                                  {RoomKind::kLarge, "large"},
+                                  {RoomKind::kNarrowLiving, "narrow_living"},
+                                  {RoomKind::kKitchen, "kitchen"},
+                                  {RoomKind::kBath, "bath"},
+                                  {RoomKind::kCorridor, "corridor"}}};
+}
+
 /// An empty stretch of floor that furniture leaves free: somebody can lie there.
 struct FreeFloor {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
@@ -29,7 +54,7 @@ struct FurnishedRoom {
 /// everything, 10 dining rooms, 8 studies, 8 kitchens, 6 corridors and 4 bathrooms.
 /// @param clutter  How many small things stand about.
 FurnishedRoom FurnishRoom(int id, FurniturePool pool, const FurnitureCatalogue& catalogue,
-                          int clutter);
+                          int clutter, RoomKind kind = RoomKind::kAny);
 
 /// Upright rectangle on the floor, to keep things apart.
 struct Footprint {

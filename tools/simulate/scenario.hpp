@@ -11,6 +11,7 @@
 #include "tools/simulate/furniture_catalogue.hpp"
 #include "tools/simulate/lying_poses.hpp"
 #include "tools/simulate/person_placement.hpp"
+#include "tools/simulate/room_layout.hpp"
 #include "tools/simulate/sensor_model.hpp"
 
 namespace fallen::sim {
@@ -26,12 +27,15 @@ struct Scenario {
   PoseFamily pose = PoseFamily::kSupine;
   Placement placement = Placement::kFree;
   bool blanket = false;           ///< over the person's legs
+  bool half_hidden = false;  ///< drives, if there are some, past what hides half of the person
   std::optional<double> yaw_deg;  ///< of the line from pelvis to head in the world; any if missing
   bool furnished = true;          ///< false: bare room, the person in its middle
   int room = 1;                   ///< which one, > 0
+  RoomKind room_kind = RoomKind::kAny;
   FurniturePool furniture_pool = FurniturePool::kTrain;
   int clutter = 2;                       ///< small things standing about
   std::vector<std::string> distractors;  ///< kinds, see DistractorKinds()
+  bool distractors_near = false;         ///< as near to the person as there is room
 
   int frames = 60;
   double rate_hz = 10;
@@ -55,12 +59,15 @@ struct Scenario {
     visit("pose", pose);
     visit("placement", placement);
     visit("blanket", blanket);
+    visit("half_hidden", half_hidden);
     visit("yaw_deg", yaw_deg);
     visit("furnished", furnished);
     visit("room", room);
+    visit("room_kind", room_kind);
     visit("furniture_pool", furniture_pool);
     visit("clutter", clutter);
     visit("distractors", distractors);
+    visit("distractors_near", distractors_near);
     visit("frames", frames);
     visit("rate_hz", rate_hz);
     visit("max_speed_m_s", max_speed_m_s);

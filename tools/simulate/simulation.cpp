@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/simulate/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -76,7 +77,8 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   sensor_ = DrawSensor(scenario.sensor, scenario.width, scenario.sensor_variation, seed);
   sensor_.config.noise = scenario.noise;
   if (scenario.furnished) {
-    scene_ = FurnishRoom(scenario.room, scenario.furniture_pool, assets.furniture, scenario.clutter)
+    scene_ = FurnishRoom(scenario.room, scenario.furniture_pool, assets.furniture, scenario.clutter,
+                         scenario.room_kind)
                  .scene;
   } else {
     scene_.room_size = {6, 6};
@@ -94,6 +96,11 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   path.max_speed_m_s = scenario.max_speed_m_s;
   path.half_field_of_view_rad = std::atan(scenario.width / 2.0 / sensor_.intrinsics.fx);
   path.robot_height_m = scenario.camera_height_m + 0.1;
+  if (scenario.half_hidden && person_) {
+    const OrientedBox& box = scene_.objects[*person_].box;
+    constexpr double kEnd = 0.3;  // of the length, from the middle
+    path.half_hidden = Eigen::Rotation2Dd(box.yaw) * Eigen::Vector2d(kEnd * box.size.x(), 0);
+  }
   Random random = Random::Stream(seed, "path");
   path_ = DrawPath(path, grid, scene_.room_size, target, random);
   told_path_ = Astray(path_, scenario.odometry_drift, Random::Stream(seed, "odometry"));
@@ -157,8 +164,7 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
     }
     Distractor distractor =
         MakeDistractor(kind, assets.furniture, assets.humans, scenario_.furniture_pool, random);
-    const Placement placement = random.Chance(0.3) ? Placement::kTouching : Placement::kFree;
-    const auto place = PlaceOnFloor(distractor.mesh, placement, std::nullopt, grid, scene_, random);
+    const auto place = PlaceDistractor(distractor.mesh, grid, random);
     if (!place) continue;  // a full room stays as it is
     SceneObject object =
         PlaceObject(distractor.category, distractor.name, std::move(distractor.mesh),
@@ -166,6 +172,25 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
     grid.Add(object.mesh);
     scene_.objects.push_back(std::move(object));
   }
+}
+
+std::optional<FloorPose> Simulation::PlaceDistractor(const TriangleMesh& mesh,
+                                                     const ColumnGrid& grid, Random& random) const {
+  const Placement placement = random.Chance(0.3) ? Placement::kTouching : Placement::kFree;
+  const bool near = scenario_.distractors_near && person_;
+  constexpr int kTries = 25;
+  std::optional<FloorPose> best;
+  double best_distance = 1e9;
+  for (int i = 0; i < (near ? kTries : 1); ++i) {
+    const auto place = PlaceOnFloor(mesh, placement, std::nullopt, grid, scene_, random);
+    if (!place) continue;
+    const double distance =
+        near ? (place->position - scene_.objects[*person_].box.center.head<2>()).norm() : 0;
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = place;
+  }
+  return best;
 }
 
 std::optional<Eigen::Vector2d> Simulation::DrawTarget(Random random) const {
@@ -188,6 +213,32 @@ Frame Simulation::TakeFrame(int index) const {
       TakePicture(*caster_, sensor_.intrinsics, ToTransform(frame.true_pose) * true_T_robot_camera_,
                   sensor_.config, seed);
   return frame;
+}
+
+double Simulation::VisibleShare(int index) const {
+  if (!person_) return 0;
+  constexpr int kWidth = 160;  // [px], the view's quarter or half
+  CameraIntrinsics intrinsics = sensor_.intrinsics;
+  const double scale = static_cast<double>(kWidth) / intrinsics.width;
+  intrinsics.width = kWidth;
+  intrinsics.height = kWidth * 3 / 4;
+  intrinsics.fx *= scale;
+  intrinsics.fy *= scale;
+  intrinsics.cx *= scale;
+  intrinsics.cy *= scale;
+  const Eigen::Isometry3d T_world_camera =
+      ToTransform(path_[static_cast<std::size_t>(index)]) * true_T_robot_camera_;
+  const auto count = [&](const RayCaster& caster, std::uint8_t label) {
+    const IdealView view = caster.Render(intrinsics, T_world_camera, {}, {0, 0, 0});
+    return std::count(view.label.begin(), view.label.end(), label);
+  };
+  Scene alone;
+  alone.shell = MakeBox({0.01, 0.01, 0.01});  // a tree needs a shell, out of the way
+  alone.shell.Transform(Eigen::Affine3f(Eigen::Translation3f(0, 0, -1)));
+  alone.objects.push_back(scene_.objects[*person_]);
+  const auto whole = count(RayCaster(alone), 1);
+  const auto seen = count(*caster_, static_cast<std::uint8_t>(*person_ + 1));
+  return whole == 0 ? 0 : static_cast<double>(seen) / static_cast<double>(whole);
 }
 
 }  // namespace fallen::sim

@@ -46,6 +46,10 @@ class Simulation {
   /// index.
   Frame TakeFrame(int index) const;
 
+  /// Of the person that lies within picture `index`, the share that nothing stands before: 0 if
+  /// there is none.
+  double VisibleShare(int index) const;
+
   const Scenario& scenario() const { return scenario_; }
   const Scene& scene() const { return scene_; }
   /// Index of the fallen person in the scene's objects, if there is one.
@@ -59,6 +63,9 @@ class Simulation {
  private:
   void AddPerson(const Assets& assets, ColumnGrid& grid);
   void AddDistractors(const Assets& assets, ColumnGrid& grid);
+
+  std::optional<FloorPose> PlaceDistractor(const TriangleMesh& mesh, const ColumnGrid& grid,
+                                           Random& random) const;
 
   /// What the robot is to look at: the person, else one of the distractors.
   std::optional<Eigen::Vector2d> DrawTarget(Random random) const;

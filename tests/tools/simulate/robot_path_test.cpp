@@ -63,6 +63,30 @@ TEST(RobotPath, HasItsTargetInViewForMostOfTheDrive) {
   EXPECT_GT(in_view, 40);
 }
 
+TEST(RobotPath, LooksPastAWallAtHalfOfItsTarget) {
+  // A screen of 1.2 m beside the lower half of somebody who lies along y.
+  ColumnGrid grid({8, 6});
+  TriangleMesh screen = MakeBox({0.05, 1.2, 1.5});
+  screen.Transform(Eigen::Affine3f(Eigen::Translation3f(-1, -1, 0.75f)));
+  grid.Add(screen);
+  const Eigen::Vector2d target(0.2, 0);
+  PathConfig config;
+  config.half_hidden = Eigen::Vector2d(0, 0.6);
+  Random random(5);
+  int seen_half = 0;
+  for (const RobotPose& pose : DrawPath(config, grid, {8, 6}, target, random)) {
+    const auto hidden = [&](double y) {
+      // Where the line of sight passes the screen.
+      if (pose.x > -1) return false;
+      const double share = (-1 - pose.x) / (target.x() - pose.x);
+      const double at = pose.y + share * (y - pose.y);
+      return at > -1.6 && at < -0.4;
+    };
+    seen_half += hidden(-0.6) && !hidden(0.6);
+  }
+  EXPECT_GT(seen_half, 20);
+}
+
 TEST(RobotPath, StandsStillWhereThereIsNoRoom) {
   ColumnGrid grid({1, 1});
   TriangleMesh block = MakeBox({1, 1, 2});
