@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
+#include "fallen/iron/eigen_lanes.hpp"
 #include "fallen/iron/iron_descriptor.hpp"
 
 namespace fallen {
@@ -14,17 +15,13 @@ bool IsFinite(const NdtCell& cell) {
   return finite;
 }
 
-// The solver, its single precision and with them the sign that it happens to give the normal are
-// the reference implementation's: descriptors depend on that sign where a cosine lies within 1/2500
-// of a bin edge (see PairBinning), and so agree with the reference in every count. Eigen's closed
-// form is faster, but its signs cost 40 % of the descriptors a count.
-CellNormal NormalOf(const NdtCell& cell, const IronConfig& config) {
+CellNormal NormalOf(const EigenBatch& batch, std::size_t lane, const IronConfig& config) {
   CellNormal result;
-  if (!IsFinite(cell)) return result;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(cell.CovarianceMatrix());
-  if (solver.info() != Eigen::Success) return result;
-  result.eigenvalues = solver.eigenvalues();
-  result.normal = solver.eigenvectors().col(0);
+  if (batch.converged[lane] == 0) return result;
+  for (int k = 0; k < 3; ++k) {
+    result.eigenvalues[k] = batch.values[k][lane];
+    result.normal[k] = batch.smallest[k][lane];
+  }
   // Products, not quotients: a covariance that is zero in two directions is a needle, not 0 / 0.
   const double smallest = result.eigenvalues[0];
   const double middle = result.eigenvalues[1];
@@ -37,10 +34,35 @@ CellNormal NormalOf(const NdtCell& cell, const IronConfig& config) {
 
 }  // namespace
 
-std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config) {
+// The solver, its single precision and with them the sign that it happens to give the normal are
+// the reference implementation's: descriptors depend on that sign where a cosine lies within 1/2500
+// of a bin edge (see PairBinning), and so agree with the reference in every count. Closed forms are
+// no faster than this many lanes, and their signs cost 40 % of the descriptors a count.
+void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
+                    std::vector<CellNormal>& normals) {
   config.Validate();
-  std::vector<CellNormal> normals(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) normals[i] = NormalOf(cells[i], config);
+  normals.resize(cells.size());
+  MatrixBatch batch;
+  EigenBatch solved;
+  for (std::size_t begin = 0; begin < cells.size(); begin += kMostLanes) {
+    const std::size_t count = std::min<std::size_t>(kMostLanes, cells.size() - begin);
+    if (count < kMostLanes) batch = {};
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const NdtCell& cell = cells[begin + lane];
+      const bool finite = IsFinite(cell);
+      for (std::size_t k = 0; k < 6; ++k)
+        batch.coefficients[k][lane] = finite ? cell.covariance[k] : 0.0F;
+    }
+    DecomposeLikeEigen(batch, solved);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      normals[begin + lane] =
+          IsFinite(cells[begin + lane]) ? NormalOf(solved, lane, config) : CellNormal{};
+  }
+}
+
+std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config) {
+  std::vector<CellNormal> normals;
+  ComputeNormals(cells, config, normals);
   return normals;
 }
 

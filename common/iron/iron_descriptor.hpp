@@ -45,8 +45,13 @@ struct CellNormal {
   bool usable = false;  ///< false for balls and needles: no descriptor, nobody's neighbour
 };
 
+/// One normal a cell. Deterministic, and the same bits at every SimdLevel.
+/// @throws std::invalid_argument if `config` is out of range.
 std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells,
                                        const IronConfig& config = {});
+/// Likewise, into memory that is there.
+void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
+                    std::vector<CellNormal>& normals);
 
 /// Descriptors of all cells, one row each.
 struct IronDescriptors {

@@ -19,12 +19,16 @@ constexpr float kMaxCoordinate = 1e9f;
 
 }  // namespace
 
-NeighborGrid::NeighborGrid(std::span<const Eigen::Vector3f> points, float bucket_m)
-    : bucket_(bucket_m) {
+void NeighborGrid::Build(std::span<const Eigen::Vector3f> points, float bucket_m) {
+  bucket_ = bucket_m;
   if (!(bucket_m > 0) || !std::isfinite(bucket_m))
     throw std::invalid_argument("neighbor_grid: bucket_m is " + std::to_string(bucket_m) +
                                 ", must be > 0");
+  sorted_points_.resize(points.size());
+  sorted_index_.resize(points.size());
   if (points.empty()) {
+    origin_ = last_ = Eigen::Array3f::Zero();
+    size_ = Eigen::Vector3i::Ones();
     bucket_begin_.assign(2, 0);
     inverse_bucket_ = 1 / bucket_;
     return;
@@ -51,19 +55,17 @@ NeighborGrid::NeighborGrid(std::span<const Eigen::Vector3f> points, float bucket
   size_ = last_.cast<int>() + 1;
 
   // Counting sort by bucket; stable, so that the order depends on the points alone.
-  std::vector<std::int32_t> bucket_of(points.size());
+  bucket_of_.resize(points.size());
   bucket_begin_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3i b = Bucket(points[i].array());
-    bucket_of[i] = (b.z() * size_.y() + b.y()) * size_.x() + b.x();
-    ++bucket_begin_[bucket_of[i] + 1];
+    bucket_of_[i] = (b.z() * size_.y() + b.y()) * size_.x() + b.x();
+    ++bucket_begin_[bucket_of_[i] + 1];
   }
   for (std::size_t b = 1; b < bucket_begin_.size(); ++b) bucket_begin_[b] += bucket_begin_[b - 1];
-  std::vector<std::int32_t> next(bucket_begin_.begin(), bucket_begin_.end() - 1);
-  sorted_points_.resize(points.size());
-  sorted_index_.resize(points.size());
+  next_.assign(bucket_begin_.begin(), bucket_begin_.end() - 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::int32_t position = next[bucket_of[i]]++;
+    const std::int32_t position = next_[bucket_of_[i]]++;
     sorted_points_[position] = points[i];
     sorted_index_[position] = static_cast<std::int32_t>(i);
   }

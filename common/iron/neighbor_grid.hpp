@@ -12,18 +12,30 @@
 
 namespace fallen {
 
+/// Positions [begin, end) in the order of a NeighborGrid.
+struct CellRun {
+  std::int32_t begin;
+  std::int32_t end;
+};
+
 /// Fixed-radius neighbour search over points of one frame, by a voxel grid instead of a tree.
 ///
 /// Found once a frame, used by descriptors, smoothing and clustering alike.
-/// Copies the points. Points must be finite. Immutable after construction, so thread-safe.
+/// Copies the points. Points must be finite. Thread-safe between calls of Build.
 class NeighborGrid {
  public:
+  /// A grid over nothing.
+  NeighborGrid() : NeighborGrid({}, 1) {}
+
   /// @param bucket_m  Edge of a grid cell [m], > 0; best near half the radius that is searched
   /// most.
   ///                  Widened where the points lie so far apart that the grid would outgrow them.
   /// @throws std::invalid_argument if `bucket_m` is not positive, or a point is not finite or
   ///         beyond 1e9 m.
-  NeighborGrid(std::span<const Eigen::Vector3f> points, float bucket_m);
+  NeighborGrid(std::span<const Eigen::Vector3f> points, float bucket_m) { Build(points, bucket_m); }
+
+  /// Starts anew, in the memory that the grid already has: as the constructor.
+  void Build(std::span<const Eigen::Vector3f> points, float bucket_m);
 
   /// Calls `visit(index, squared_distance)` for every point within `radius_m` of `query`, itself
   /// included, in an order that depends only on the points.
@@ -42,25 +54,32 @@ class NeighborGrid {
   /// point within `radius_m` of `query`, and some farther ones: for callers that test whole runs.
   template <class Visit>
   void ForEachRun(const Eigen::Vector3f& query, float radius_m, Visit&& visit) const {
+    ForEachRunNearBox(query, query, radius_m, visit);
+  }
+
+  /// Likewise for the points within `radius_m` of the box from `low` to `high`. Whatever the box, a
+  /// point's neighbours come in one order.
+  template <class Visit>
+  void ForEachRunNearBox(const Eigen::Array3f& low, const Eigen::Array3f& high, float radius_m,
+                         Visit&& visit) const {
     // What rounding may take from a distance is given back, so that no point on the rim is lost.
-    const Eigen::Array3f reach =
-        radius_m + 4 * std::numeric_limits<float>::epsilon() * (query.array().abs() + radius_m);
-    const Eigen::Vector3i low = Bucket(query.array() - reach);
-    const Eigen::Vector3i high = Bucket(query.array() + reach);
-    const Eigen::Vector3i center = Bucket(query.array());
+    const Eigen::Array3f reach = radius_m + 4 * std::numeric_limits<float>::epsilon() *
+                                                (low.abs().max(high.abs()) + radius_m);
+    const Eigen::Vector3i first = Bucket(low - reach), last = Bucket(high + reach);
+    const Eigen::Vector3i first_inside = Bucket(low), last_inside = Bucket(high);
     const float sq_reach = reach.maxCoeff() * reach.maxCoeff();
     const float slack_x = reach.x() - radius_m;
-    for (int z = low.z(); z <= high.z(); ++z) {
-      const float dz = Gap(z, center.z(), query.z(), origin_.z());
-      for (int y = low.y(); y <= high.y(); ++y) {
-        const float dy = Gap(y, center.y(), query.y(), origin_.y());
+    for (int z = first.z(); z <= last.z(); ++z) {
+      const float dz = Gap(z, 2, first_inside.z(), last_inside.z(), low, high);
+      for (int y = first.y(); y <= last.y(); ++y) {
+        const float dy = Gap(y, 1, first_inside.y(), last_inside.y(), low, high);
         const float sq_left = sq_reach - (dy * dy + dz * dz);
         if (sq_left < 0) continue;
         // Buckets of one row are neighbours in memory: one run of points for the whole row, as far
-        // as the sphere reaches along it.
+        // as the rounded box reaches along it.
         const float reach_x = std::sqrt(sq_left) + slack_x;
-        const int low_x = BucketX(query.x() - reach_x);
-        const int high_x = BucketX(query.x() + reach_x);
+        const int low_x = BucketX(low.x() - reach_x);
+        const int high_x = BucketX(high.x() + reach_x);
         const std::int32_t row = (z * size_.y() + y) * size_.x();
         const std::int32_t begin = bucket_begin_[row + low_x];
         const std::int32_t end = bucket_begin_[row + high_x + 1];
@@ -85,14 +104,17 @@ class NeighborGrid {
     return static_cast<int>(std::min(std::max(scaled, 0.0f), last_.x()));
   }
 
-  // At most the distance along one axis from the query to the points of bucket `index` [m].
-  float Gap(int index, int center, float query, float origin) const {
-    if (index == center) return 0;
-    const float edge = origin + static_cast<float>(index > center ? index : index + 1) * bucket_;
+  // At most the distance along one axis from the box to the points of bucket `index` [m].
+  float Gap(int index, int axis, int first_inside, int last_inside, const Eigen::Array3f& low,
+            const Eigen::Array3f& high) const {
+    if (index >= first_inside && index <= last_inside) return 0;
+    const bool above = index > last_inside;
+    const float side = above ? high[axis] : low[axis];
+    const float edge = origin_[axis] + static_cast<float>(above ? index : index + 1) * bucket_;
     // Buckets are found by multiplication, their edges here by another: leave room for rounding.
-    const float gap = index > center ? edge - query : query - edge;
+    const float gap = above ? edge - side : side - edge;
     const float slack = 4 * std::numeric_limits<float>::epsilon() *
-                        (std::abs(edge) + std::abs(query) + std::abs(origin));
+                        (std::abs(edge) + std::abs(side) + std::abs(origin_[axis]));
     return gap > slack ? gap - slack : 0;
   }
 
@@ -104,6 +126,7 @@ class NeighborGrid {
   std::vector<std::int32_t> bucket_begin_;
   std::vector<Eigen::Vector3f> sorted_points_;
   std::vector<std::int32_t> sorted_index_;
+  std::vector<std::int32_t> bucket_of_, next_;  // of Build
 };
 
 }  // namespace fallen

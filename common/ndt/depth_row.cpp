@@ -4,39 +4,13 @@
 
 #include <cstring>
 
+#include "fallen/simd/lanes.hpp"
+#include "fallen/simd/simd_level.hpp"
+
 namespace fallen {
 namespace {
 
-// Pixels at a time, in the vector extensions of GCC and Clang: as many as a register holds, and the
-// same operations on each number.
-constexpr int kPortableLanes = 4;
-constexpr int kAvx2Lanes = 8;
 static_assert(kRowPadding % kPortableLanes == 0 && kRowPadding % kAvx2Lanes == 0);
-
-template <int kLanes>
-struct Vector;
-template <>
-struct Vector<kPortableLanes> {
-  using Floats = float __attribute__((vector_size(16)));
-  using Ints = std::int32_t __attribute__((vector_size(16)));
-  using Shorts = std::uint16_t __attribute__((vector_size(8)));
-};
-template <>
-struct Vector<kAvx2Lanes> {
-  using Floats = float __attribute__((vector_size(32)));
-  using Ints = std::int32_t __attribute__((vector_size(32)));
-  using Shorts = std::uint16_t __attribute__((vector_size(16)));
-};
-
-template <class Vector, class Scalar>
-[[gnu::always_inline]] inline void Load(Vector& vector, const Scalar* from) {
-  std::memcpy(&vector, from, sizeof(vector));
-}
-
-template <class Vector, class Scalar>
-[[gnu::always_inline]] inline void Store(const Vector& vector, Scalar* to) {
-  std::memcpy(to, &vector, sizeof(vector));
-}
 
 // Voxel along one axis, and the offset from its centre.
 template <class Floats, class Ints>
@@ -52,9 +26,9 @@ template <int kLanes>
 [[gnu::always_inline]] inline void PlaceLanes(const std::uint16_t* depth, int u,
                                               const RowDirections& d, const RowGeometry& g,
                                               const RowPoints& points) {
-  using Floats = typename Vector<kLanes>::Floats;
-  using Ints = typename Vector<kLanes>::Ints;
-  typename Vector<kLanes>::Shorts raw;
+  using Floats = typename Lanes<kLanes>::Floats;
+  using Ints = typename Lanes<kLanes>::Ints;
+  typename Lanes<kLanes>::Shorts raw;
   Load(raw, depth);
   const Ints units = __builtin_convertvector(raw, Ints);
   const Floats z_m = __builtin_convertvector(units, Floats) * g.depth_unit_m;
@@ -109,29 +83,18 @@ void PlacePixelsPortable(const std::uint16_t* depth, int count, const RowDirecti
   PlacePixels<kPortableLanes>(depth, count, directions, geometry, points);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void PlacePixelsAvx2(const std::uint16_t* depth, int count,
-                                             const RowDirections& directions,
-                                             const RowGeometry& geometry, const RowPoints& points) {
+FALLEN_TARGET_AVX2 void PlacePixelsAvx2(const std::uint16_t* depth, int count,
+                                        const RowDirections& directions,
+                                        const RowGeometry& geometry, const RowPoints& points) {
   PlacePixels<kAvx2Lanes>(depth, count, directions, geometry, points);
 }
-
-bool HasAvx2() {
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("avx2");
-}
-#else
-constexpr auto PlacePixelsAvx2 = PlacePixelsPortable;
-constexpr bool HasAvx2() { return false; }
-#endif
 
 }  // namespace
 
 void PlaceRow(const std::uint16_t* depth, int count, const RowDirections& directions,
               const RowGeometry& geometry, const RowPoints& points) {
-  static const bool has_avx2 = HasAvx2();
-  if (has_avx2) return PlacePixelsAvx2(depth, count, directions, geometry, points);
-  PlacePixelsPortable(depth, count, directions, geometry, points);
+  ChooseSimd(PlacePixelsPortable, PlacePixelsAvx2, PlacePixelsAvx2)(depth, count, directions,
+                                                                    geometry, points);
 }
 
 }  // namespace fallen

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/iron/pair_counts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "tests/support/simd_levels.hpp"
+
+namespace fallen {
+namespace {
+
+struct Scene {
+  BaseLanes bases{};
+  std::vector<PairCell> cells;
+  std::vector<CellRun> runs;
+};
+
+// `count` cells with random normals in two runs; the first kMostLanes - 3 are the bases.
+Scene RandomScene(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-0.5F, 0.5F);
+  Scene scene;
+  for (int i = 0; i < count; ++i) {
+    Eigen::Vector3f normal(uniform(random), uniform(random), uniform(random));
+    if (i % 3 == 0) normal = Eigen::Vector3f::UnitZ();  // many equal normals, as on a wall
+    normal.normalize();
+    scene.cells.push_back(
+        {uniform(random), uniform(random), uniform(random), normal.x(), normal.y(), normal.z()});
+  }
+  scene.cells[5] = scene.cells[4];  // equal means
+  scene.bases.x.fill(kNowhere);
+  scene.bases.y.fill(kNowhere);
+  scene.bases.z.fill(kNowhere);
+  for (int lane = 0; lane < kMostLanes - 3; ++lane) {
+    const PairCell& cell = scene.cells[lane];
+    scene.bases.x[lane] = cell.x;
+    scene.bases.y[lane] = cell.y;
+    scene.bases.z[lane] = cell.z;
+    scene.bases.normal_x[lane] = PairBinning::kNormalScale * cell.normal_x;
+    scene.bases.normal_y[lane] = PairBinning::kNormalScale * cell.normal_y;
+    scene.bases.normal_z[lane] = PairBinning::kNormalScale * cell.normal_z;
+  }
+  scene.runs = {{0, count / 3}, {count / 2, count}};
+  return scene;
+}
+
+// One pair after the other.
+std::vector<std::uint32_t> PlainCounts(const Scene& scene, const PairBinning& binning) {
+  std::vector<std::uint32_t> counts(static_cast<std::size_t>(2 * binning.rows * binning.columns) *
+                                    kMostLanes);
+  const auto square = [](float c) { return c * std::abs(c); };
+  for (int lane = 0; lane < kMostLanes; ++lane)
+    for (const CellRun& run : scene.runs)
+      for (int j = run.begin; j < run.end; ++j) {
+        const PairCell& cell = scene.cells[j];
+        const Eigen::Vector3f line(scene.bases.x[lane] - cell.x, scene.bases.y[lane] - cell.y,
+                                   scene.bases.z[lane] - cell.z);
+        const Eigen::Vector3f normal(scene.bases.normal_x[lane], scene.bases.normal_y[lane],
+                                     scene.bases.normal_z[lane]);
+        const float sq_distance = line.x() * line.x() + line.y() * line.y() + line.z() * line.z();
+        if (sq_distance > binning.sq_radius) continue;
+        const float between =
+            normal.x() * cell.normal_x + normal.y() * cell.normal_y + normal.z() * cell.normal_z;
+        const float along = normal.x() * line.x() + normal.y() * line.y() + normal.z() * line.z();
+        const int row = binning.RowOf(sq_distance);
+        const int column0 = binning.ColumnOf(square(between));
+        const int column1 = binning.ColumnOf(square(along) / std::max(sq_distance, kLeastSquare));
+        ++counts[PairCountIndex(row, 0, column0, binning.columns) + lane];
+        ++counts[PairCountIndex(row, 1, column1, binning.columns) + lane];
+      }
+  return counts;
+}
+
+void ExpectPlainCountsAtEveryLevel(const Scene& scene, const IronConfig& config) {
+  const PairBinning binning(config);
+  const ColumnTables tables(binning);
+  const std::vector<std::uint32_t> expected = PlainCounts(scene, binning);
+  test::AtEverySimdLevel([&](SimdLevel level) {
+    std::vector<std::uint32_t> counts(expected.size());
+    CountPairs(scene.bases, scene.cells.data(), scene.runs.data(),
+               static_cast<int>(scene.runs.size()), binning, tables, counts.data());
+    EXPECT_EQ(counts, expected) << "level " << static_cast<int>(level);
+  });
+}
+
+TEST(CountPairs, GivesThePlainCountsAtEveryLevel) {
+  ExpectPlainCountsAtEveryLevel(RandomScene(300, 1), {});
+  IronConfig wide;
+  wide.radius_m = 2;  // every pair, so that counters of few bits fill up
+  ExpectPlainCountsAtEveryLevel(RandomScene(9000, 2), wide);
+}
+
+TEST(CountPairs, TakesOtherHistogramsThanThePapers) {
+  for (const int rows : {1, 2, 3, 5})
+    for (const int columns : {1, 2, 3, 7, 8, 9, 32}) {
+      IronConfig config;
+      config.distance_bins = rows;
+      config.angle_bins = columns;
+      ExpectPlainCountsAtEveryLevel(RandomScene(120, 3), config);
+    }
+}
+
+TEST(CountPairs, HasTablesForThePapersHistograms) {
+  EXPECT_TRUE(ColumnTables(PairBinning(IronConfig{})).valid);
+}
+
+}  // namespace
+}  // namespace fallen
