@@ -143,7 +143,7 @@ bool Hidden(const PathConfig& config, const ColumnGrid& grid, const Eigen::Vecto
   for (double s = 0.3; s < distance - target_reach; s += kStep) {
     const double share = s / distance;
     const Eigen::Vector2d p = eye + share * (target - eye);
-    const double z = (1 - share) * config.robot_height_m + share * kTargetHeight;
+    const double z = (1 - share) * config.camera_height_m + share * kTargetHeight;
     if (grid.Taken({p.x(), p.y(), z})) return true;
   }
   return false;
@@ -158,22 +158,34 @@ bool ShowsEnough(const PathConfig& config, const ColumnGrid& grid, const Eigen::
          Hidden(config, grid, eye, target - *config.half_hidden, kBodyWidth);
 }
 
-// Share of the frames in which the target is in view at the wanted distance, plus a little for
-// moving.
+// What a frame is worth in which the robot sees its target: 1 at the wanted distance.
+double Worth(const PathConfig& config, const ColumnGrid& grid, const RobotPose& pose,
+             const Eigen::Vector2d& target, const Distances& wanted) {
+  constexpr double kNearest = 0.7, kFarthest = 4.8;  // [m], where there is something to see at all
+  constexpr double kElsewhere = 0.4;                 // worth at another distance
+  constexpr double kTargetHeight = 0.1, kRim = 0.8;  // of half the field of view
+  const Eigen::Vector2d offset(target.x() - pose.x, target.y() - pose.y);
+  const double bearing = std::abs(WrapAngle(std::atan2(offset.y(), offset.x()) - pose.yaw));
+  const double distance = offset.norm();
+  const double down = std::atan2(config.camera_height_m - kTargetHeight, distance);
+  if (bearing > kRim * config.half_field_of_view_rad ||
+      std::abs(down - config.camera_pitch_rad) > kRim * config.half_vertical_view_rad ||
+      distance < kNearest || distance > kFarthest ||
+      !ShowsEnough(config, grid, {pose.x, pose.y}, target))
+    return 0;
+  return distance > wanted.nearest && distance < wanted.farthest ? 1 : kElsewhere;
+}
+
+// Mean worth of the frames, plus a little for moving.
 double Score(const PathConfig& config, const ColumnGrid& grid, const std::vector<RobotPose>& path,
              const Eigen::Vector2d& target, const Distances& wanted) {
   constexpr double kMovingWorth = 0.1;  // of the score, for each metre driven, up to two
-  double in_view = 0, driven = 0;
+  double worth = 0, driven = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const Eigen::Vector2d offset(target.x() - path[i].x, target.y() - path[i].y);
-    const double bearing = std::abs(WrapAngle(std::atan2(offset.y(), offset.x()) - path[i].yaw));
-    const double distance = offset.norm();
-    if (bearing < 0.8 * config.half_field_of_view_rad && distance > wanted.nearest &&
-        distance < wanted.farthest && ShowsEnough(config, grid, {path[i].x, path[i].y}, target))
-      ++in_view;
+    worth += Worth(config, grid, path[i], target, wanted);
     if (i > 0) driven += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
   }
-  return in_view / static_cast<double>(path.size()) + kMovingWorth * std::min(driven, 2.0);
+  return worth / static_cast<double>(path.size()) + kMovingWorth * std::min(driven, 2.0);
 }
 
 }  // namespace
@@ -182,8 +194,15 @@ std::vector<RobotPose> DrawPath(const PathConfig& config, const ColumnGrid& grid
                                 const Eigen::Vector2d& room_size,
                                 const std::optional<Eigen::Vector2d>& target, Random& random) {
   const int drives = config.half_hidden ? 150 : 40;  // it is a rare view
-  const FreeSpace space(config, grid, room_size);
-  if (space.empty()) return std::vector<RobotPose>(static_cast<std::size_t>(config.frames));
+  FreeSpace space(config, grid, room_size);
+  if (space.empty()) {                 // a smaller robot may still get in
+    constexpr double kSmallest = 0.1;  // [m]
+    PathConfig narrower = config;
+    narrower.robot_radius_m *= 0.6;
+    if (narrower.robot_radius_m > kSmallest)
+      return DrawPath(narrower, grid, room_size, target, random);
+    return std::vector<RobotPose>(static_cast<std::size_t>(config.frames));
+  }
   if (!target) return Drive(config, space, target, random);
   // From where a person fills the view to where there is little of one.
   constexpr Distances kDistances[] = {{0.9, 2.4}, {1.5, 3.2}, {2.2, 4.4}, {2.2, 4.4}};

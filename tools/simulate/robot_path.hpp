@@ -24,6 +24,9 @@ struct PathConfig {
   double robot_radius_m = 0.28;
   double robot_height_m = 1.3;
   double half_field_of_view_rad = 0.507;  ///< horizontal: atan(320 / 575)
+  double half_vertical_view_rad = 0.39;   ///< atan(240 / 575)
+  double camera_height_m = 1.1;
+  double camera_pitch_rad = 0.44;  ///< downwards
   /// From the target's middle to one end, for drives that see one end while something stands before
   /// the other; without, drives see the middle.
   std::optional<Eigen::Vector2d> half_hidden;

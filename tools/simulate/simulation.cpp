@@ -95,6 +95,9 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   path.rate_hz = scenario.rate_hz;
   path.max_speed_m_s = scenario.max_speed_m_s;
   path.half_field_of_view_rad = std::atan(scenario.width / 2.0 / sensor_.intrinsics.fx);
+  path.half_vertical_view_rad = std::atan(sensor_.intrinsics.height / 2.0 / sensor_.intrinsics.fy);
+  path.camera_height_m = scenario.camera_height_m;
+  path.camera_pitch_rad = scenario.camera_pitch_deg * kRadPerDeg;
   path.robot_height_m = scenario.camera_height_m + 0.1;
   if (scenario.half_hidden && person_) {
     const OrientedBox& box = scene_.objects[*person_].box;
