@@ -3,20 +3,24 @@
 #include "fallen/service/command_line.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
+#include <optional>
 
 #include "fallen/service/version.hpp"
 
 namespace fallen {
+namespace {
 
-void AddStandardFlags(CLI::App& app, const std::string& program, const std::string& description) {
-  app.name(program);
-  app.description(description);
-  app.set_help_flag("--help", "Say how to call this program");
-  app.set_version_flag("--version", program + " " + Version(), "Say which version this is");
+int ReportWrongCall(const std::string& program, const std::string& text) {
+  std::string line = program + ": " + text;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::cerr << line << std::endl;
+  return kExitWrongCall;
 }
 
-std::optional<int> ParseCommandLine(CLI::App& app, int argc, const char* const* argv) {
+/// Nothing to go on; else the status to exit with.
+std::optional<int> Parse(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     return std::nullopt;
@@ -32,11 +36,23 @@ std::optional<int> ParseCommandLine(CLI::App& app, int argc, const char* const* 
   }
 }
 
-int ReportWrongCall(const std::string& program, const std::string& text) {
-  std::string line = program + ": " + text;
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  std::cerr << line << std::endl;
-  return kExitWrongCall;
+}  // namespace
+
+void AddStandardFlags(CLI::App& app, const std::string& program, const std::string& description) {
+  app.name(program);
+  app.description(description);
+  app.set_help_flag("--help", "Say how to call this program");
+  app.set_version_flag("--version", program + " " + Version(), "Say which version this is");
+}
+
+int RunCommandLine(CLI::App& app, int argc, const char* const* argv,
+                   const std::function<int()>& run) {
+  if (const std::optional<int> status = Parse(app, argc, argv)) return *status;
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    return ReportWrongCall(app.get_name(), error.what());
+  }
 }
 
 }  // namespace fallen

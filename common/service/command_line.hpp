@@ -3,7 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
+#include <functional>
 #include <string>
 
 /// Command lines of all programs: --help, --version, and one line on stderr for a wrong call.
@@ -19,13 +19,11 @@ inline constexpr int kExitWrongCall = 2;  ///< wrong call or bad input
 /// Sets up what all programs share: their name in messages, --help and --version.
 void AddStandardFlags(CLI::App& app, const std::string& program, const std::string& description);
 
-/// Parses the command line.
-/// @return Nothing to go on; else the status to exit with: after --help or --version 0, after a
-/// wrong
-///         call 2, with one line on stderr.
-std::optional<int> ParseCommandLine(CLI::App& app, int argc, const char* const* argv);
-
-/// Prints "<program>: <text>" as one line on stderr. @return kExitWrongCall.
-int ReportWrongCall(const std::string& program, const std::string& text);
+/// Parses the command line and runs the program. A wrong call and what `run` throws become one line
+/// on stderr, "<program>: <message>".
+/// @param run  Called once the command line is right; returns the exit status.
+/// @return That of `run`; after --help or --version kExitSuccess; kExitWrongCall.
+int RunCommandLine(CLI::App& app, int argc, const char* const* argv,
+                   const std::function<int()>& run);
 
 }  // namespace fallen

@@ -4,7 +4,6 @@
 
 #include <unistd.h>
 
-#include <exception>
 #include <optional>
 #include <stdexcept>
 
@@ -42,8 +41,7 @@ ServiceProgram::ServiceProgram(const std::string& service, const std::string& de
 
 int ServiceProgram::Run(int argc, const char* const* argv,
                         const std::function<int(ServiceContext&)>& body) {
-  if (const auto exit_status = ParseCommandLine(cli_, argc, argv)) return *exit_status;
-  try {
+  return RunCommandLine(cli_, argc, argv, [&] {
     StopSignal stop;  // before LCM starts its thread
     Configuration configuration = LoadConfiguration(
         config_file_.empty() ? std::nullopt : std::optional<std::filesystem::path>(config_file_));
@@ -63,9 +61,7 @@ int ServiceProgram::Run(int argc, const char* const* argv,
     SetUpLogging(service_);
     ServiceContext context{std::move(configuration), std::move(options), lcm, stop};
     return body(context);
-  } catch (const std::exception& error) {
-    return ReportWrongCall(cli_.get_name(), error.what());
-  }
+  });
 }
 
 void ServiceContext::LogStart() const {

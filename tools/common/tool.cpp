@@ -3,7 +3,6 @@
 #include "tools/common/tool.hpp"
 
 #include <CLI/CLI.hpp>
-#include <exception>
 
 #include "fallen/service/command_line.hpp"
 
@@ -16,12 +15,7 @@ std::unique_ptr<CLI::App> MakeToolParser(const std::string& name, const std::str
 }
 
 int RunTool(CLI::App& parser, int argc, const char* const* argv, const std::function<int()>& run) {
-  if (const std::optional<int> status = ParseCommandLine(parser, argc, argv)) return *status;
-  try {
-    return run();
-  } catch (const std::exception& error) {
-    return ReportWrongCall(parser.get_name(), error.what());
-  }
+  return RunCommandLine(parser, argc, argv, run);
 }
 
 }  // namespace fallen

@@ -10,15 +10,13 @@ namespace CLI {
 class App;
 }
 
-/// The frame of a command line tool: parse, run, tell errors.
+/// The frame of a command line tool.
 namespace fallen {
 
 /// Makes the parser of tool `name` ("fallen-import"), with --help and --version.
 std::unique_ptr<CLI::App> MakeToolParser(const std::string& name, const std::string& description);
 
-/// Parses the command line and runs the tool. A wrong call and what `run` throws become one line on
-/// stderr, "<name>: <message>", and kExitWrongCall.
-/// @param run  Called once the command line is right; returns the exit status.
+/// RunCommandLine (fallen/service/command_line.hpp), for files that need not know CLI11.
 int RunTool(CLI::App& parser, int argc, const char* const* argv, const std::function<int()>& run);
 
 }  // namespace fallen

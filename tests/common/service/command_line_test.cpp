@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "fallen/service/channels.hpp"
@@ -24,15 +26,16 @@ class CommandLine : public testing::Test {
     AddStandardFlags(app_, "fallen-example", "Does nothing, well");
     app_.add_option("--camera", camera_);
   }
-  std::optional<int> Parse(std::vector<const char*> arguments) {
+  int Run(
+      std::vector<const char*> arguments, const std::function<int()>& run = [] { return 7; }) {
     arguments.insert(arguments.begin(), "fallen-example");
     CaptureStderr();
     CaptureStdout();
-    const auto result =
-        ParseCommandLine(app_, static_cast<int>(arguments.size()), arguments.data());
+    const int status =
+        RunCommandLine(app_, static_cast<int>(arguments.size()), arguments.data(), run);
     stdout_ = GetCapturedStdout();
     stderr_ = GetCapturedStderr();
-    return result;
+    return status;
   }
 
   CLI::App app_;
@@ -41,32 +44,38 @@ class CommandLine : public testing::Test {
   std::string stderr_;
 };
 
-TEST_F(CommandLine, RightCallGoesOn) {
-  EXPECT_EQ(Parse({"--camera", "FRONT"}), std::nullopt);
+TEST_F(CommandLine, RightCallReturnsTheProgramsOwnStatus) {
+  EXPECT_EQ(Run({"--camera", "FRONT"}), 7);
   EXPECT_EQ(camera_, "FRONT");
   EXPECT_EQ(stderr_, "");
 }
 
 TEST_F(CommandLine, HelpAndVersionGoToStdoutWithSuccess) {
-  EXPECT_EQ(Parse({"--help"}), kExitSuccess);
+  EXPECT_EQ(Run({"--help"}), kExitSuccess);
   EXPECT_THAT(stdout_, HasSubstr("--camera"));
-  EXPECT_EQ(Parse({"--version"}), kExitSuccess);
+  EXPECT_EQ(Run({"--version"}), kExitSuccess);
   EXPECT_THAT(stdout_, testing::MatchesRegex("fallen-example [0-9]+\\.[0-9]+\\.[0-9]+\n"));
   EXPECT_EQ(stderr_, "");
 }
 
+TEST_F(CommandLine, AnExceptionIsOneLine) {
+  const auto fail = []() -> int { throw std::runtime_error("a.png: got\ntwo lines"); };
+  EXPECT_EQ(Run({}, fail), kExitWrongCall);
+  EXPECT_EQ(stderr_, "fallen-example: a.png: got two lines\n");
+}
+
 TEST_F(CommandLine, UnknownOptionIsOneLine) {
-  EXPECT_EQ(Parse({"--camra", "FRONT"}), kExitWrongCall);
+  EXPECT_EQ(Run({"--camra", "FRONT"}), kExitWrongCall);
   EXPECT_EQ(stderr_, "fallen-example: --camra: unknown option, see --help\n");
 }
 
 TEST_F(CommandLine, UnexpectedArgumentIsOneLine) {
-  EXPECT_EQ(Parse({"FRONT"}), kExitWrongCall);
+  EXPECT_EQ(Run({"FRONT"}), kExitWrongCall);
   EXPECT_EQ(stderr_, "fallen-example: FRONT: unexpected argument, see --help\n");
 }
 
 TEST_F(CommandLine, MissingValueIsOneLine) {
-  EXPECT_EQ(Parse({"--camera"}), kExitWrongCall);
+  EXPECT_EQ(Run({"--camera"}), kExitWrongCall);
   EXPECT_THAT(stderr_, testing::MatchesRegex("fallen-example: --camera[^\n]*\n"));
 }
 

@@ -62,13 +62,6 @@ TEST(RunTool, AWrongCallIsOneLineAndStatusTwo) {
   }
 }
 
-TEST(RunTool, AnExceptionIsOneLineAndStatusTwo) {
-  const Outcome outcome =
-      RunWith({}, []() -> int { throw std::runtime_error("a.png: got\ntwo lines"); });
-  EXPECT_EQ(outcome.status, kExitWrongCall);
-  EXPECT_EQ(outcome.err, "fallen-test: a.png: got two lines\n");
-}
-
 TEST(ProgressBar, SaysNothingWhereThereIsNoTerminal) {
   std::ostringstream out;
   {
