@@ -138,12 +138,12 @@ struct Distances {
 // Whether something stands between the camera and what lies at the target.
 bool Hidden(const PathConfig& config, const ColumnGrid& grid, const Eigen::Vector2d& eye,
             const Eigen::Vector2d& target, double target_reach) {
-  constexpr double kStep = 0.04, kTargetHeight = 0.15;  // [m]
+  constexpr double kStep = 0.04;  // [m]
   const double distance = (target - eye).norm();
   for (double s = 0.3; s < distance - target_reach; s += kStep) {
     const double share = s / distance;
     const Eigen::Vector2d p = eye + share * (target - eye);
-    const double z = (1 - share) * config.camera_height_m + share * kTargetHeight;
+    const double z = (1 - share) * config.camera_height_m + share * config.target_height_m;
     if (grid.Taken({p.x(), p.y(), z})) return true;
   }
   return false;
@@ -163,11 +163,11 @@ double Worth(const PathConfig& config, const ColumnGrid& grid, const RobotPose& 
              const Eigen::Vector2d& target, const Distances& wanted) {
   constexpr double kNearest = 0.7, kFarthest = 4.8;  // [m], where there is something to see at all
   constexpr double kElsewhere = 0.4;                 // worth at another distance
-  constexpr double kTargetHeight = 0.1, kRim = 0.8;  // of half the field of view
+  constexpr double kRim = 0.8;                       // of half the field of view
   const Eigen::Vector2d offset(target.x() - pose.x, target.y() - pose.y);
   const double bearing = std::abs(WrapAngle(std::atan2(offset.y(), offset.x()) - pose.yaw));
   const double distance = offset.norm();
-  const double down = std::atan2(config.camera_height_m - kTargetHeight, distance);
+  const double down = std::atan2(config.camera_height_m - config.target_height_m, distance);
   if (bearing > kRim * config.half_field_of_view_rad ||
       std::abs(down - config.camera_pitch_rad) > kRim * config.half_vertical_view_rad ||
       distance < kNearest || distance > kFarthest ||

@@ -27,6 +27,7 @@ struct PathConfig {
   double half_vertical_view_rad = 0.39;   ///< atan(240 / 575)
   double camera_height_m = 1.1;
   double camera_pitch_rad = 0.44;  ///< downwards
+  double target_height_m = 0.1;    ///< of the target's middle
   /// From the target's middle to one end, for drives that see one end while something stands before
   /// the other; without, drives see the middle.
   std::optional<Eigen::Vector2d> half_hidden;

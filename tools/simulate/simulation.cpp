@@ -89,7 +89,8 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   if (scenario.person) AddPerson(assets, grid);
   AddDistractors(assets, grid);
 
-  const std::optional<Eigen::Vector2d> target = DrawTarget(Random::Stream(seed, "target"));
+  const SceneObject* target = DrawTarget(Random::Stream(seed, "target"));
+  std::optional<Eigen::Vector2d> target_place;
   PathConfig path;
   path.frames = scenario.frames;
   path.rate_hz = scenario.rate_hz;
@@ -104,8 +105,12 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
     constexpr double kEnd = 0.3;  // of the length, from the middle
     path.half_hidden = Eigen::Rotation2Dd(box.yaw) * Eigen::Vector2d(kEnd * box.size.x(), 0);
   }
+  if (target != nullptr) {
+    target_place = target->box.center.head<2>();
+    path.target_height_m = target->box.center.z();
+  }
   Random random = Random::Stream(seed, "path");
-  path_ = DrawPath(path, grid, scene_.room_size, target, random);
+  path_ = DrawPath(path, grid, scene_.room_size, target_place, random);
   told_path_ = Astray(path_, scenario.odometry_drift, Random::Stream(seed, "odometry"));
   told_T_robot_camera_ =
       MakeMounting(scenario.camera_height_m, scenario.camera_pitch_deg * kRadPerDeg);
@@ -196,13 +201,12 @@ std::optional<FloorPose> Simulation::PlaceDistractor(const TriangleMesh& mesh,
   return best;
 }
 
-std::optional<Eigen::Vector2d> Simulation::DrawTarget(Random random) const {
-  if (person_) return scene_.objects[*person_].box.center.head<2>();
+const SceneObject* Simulation::DrawTarget(Random random) const {
+  if (person_) return &scene_.objects[*person_];
   std::vector<const SceneObject*> candidates;
   for (const SceneObject& object : scene_.objects)
     if (object.category != kFurniture) candidates.push_back(&object);
-  if (candidates.empty()) return std::nullopt;
-  return random.Pick(candidates)->box.center.head<2>();
+  return candidates.empty() ? nullptr : random.Pick(candidates);
 }
 
 Frame Simulation::TakeFrame(int index) const {

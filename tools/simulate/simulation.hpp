@@ -67,8 +67,8 @@ class Simulation {
   std::optional<FloorPose> PlaceDistractor(const TriangleMesh& mesh, const ColumnGrid& grid,
                                            Random& random) const;
 
-  /// What the robot is to look at: the person, else one of the distractors.
-  std::optional<Eigen::Vector2d> DrawTarget(Random random) const;
+  /// What the robot is to look at: the person, else one of the distractors, else nothing.
+  const SceneObject* DrawTarget(Random random) const;
 
   Scenario scenario_;
   Sensor sensor_;
