@@ -11,6 +11,11 @@
 namespace fallen {
 namespace {
 
+const Model& Validated(const Model& model) {
+  model.Validate();
+  return model;
+}
+
 void CheckTheyFit(const Model& model, const DetectorConfig& config,
                   const BackgroundSubtractor& background) {
   if (config.ndt.cell_size_m != model.cells.cell_size_m)
@@ -39,8 +44,8 @@ Detector::Detector(Model model, const DetectorConfig& config, BackgroundSubtract
     : model_(std::move(model)),
       config_(config),
       background_(std::move(background)),
-      mapper_(config.ndt) {
-  model_.Validate();
+      mapper_(config.ndt),
+      segmenter_(Validated(model_).cells, config.segmentation) {
   config_.Validate();
   CheckTheyFit(model_, config_, background_);
 }
@@ -57,8 +62,7 @@ FrameResult Detector::Detect(const Frame& frame) {
   times.background = stage.LapMilliseconds();
 
   SegmentationTimes segmentation;
-  result.segmented =
-      SegmentCells(result.foreground, model_.cells, config_.segmentation, &segmentation);
+  result.segmented = segmenter_.Segment(result.foreground, &segmentation);
   times.iron = segmentation.iron;
   times.cells = segmentation.cells;
 

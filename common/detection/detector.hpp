@@ -9,7 +9,7 @@
 #include "fallen/geometry/ground_plane.hpp"
 #include "fallen/ndt/ndt_mapper.hpp"
 #include "fallen/segmentation/background_subtraction.hpp"
-#include "fallen/segmentation/cell_segmentation.hpp"
+#include "fallen/segmentation/cell_segmenter.hpp"
 
 namespace fallen {
 
@@ -52,6 +52,7 @@ class Detector {
   DetectorConfig config_;
   BackgroundSubtractor background_;
   NdtMapper mapper_;
+  CellSegmenter segmenter_;
 };
 
 }  // namespace fallen

@@ -141,7 +141,8 @@ const IronDescriptors& IronDescriber::Describe(std::span<const NdtCell> cells,
   RequireSize("normals", normals.size(), cells.size());
   if (!wanted.empty()) RequireSize("wanted", wanted.size(), cells.size());
   const auto rows = static_cast<Eigen::Index>(cells.size());
-  descriptors_.values.setZero(rows, config_.dimension());
+  GrowRows(descriptors_.values, rows, config_.dimension());
+  descriptors_.values.setZero();
   descriptors_.neighbor_counts.assign(cells.size(), 0);
   SelectUsable(cells, normals, wanted);
   for (const CellTile& tile : tiles_.tiles()) DescribeTile(tile);
@@ -152,7 +153,9 @@ IronDescriptors ComputeIronDescriptors(std::span<const NdtCell> cells,
                                        std::span<const CellNormal> normals,
                                        std::span<const std::uint8_t> wanted,
                                        const IronConfig& config) {
-  return IronDescriber(config).Describe(cells, normals, wanted);
+  IronDescriptors descriptors = IronDescriber(config).Describe(cells, normals, wanted);
+  descriptors.values.conservativeResize(static_cast<Eigen::Index>(cells.size()), Eigen::NoChange);
+  return descriptors;
 }
 
 }  // namespace fallen

@@ -28,7 +28,9 @@ class IronDescriber {
                                   std::span<const CellNormal> normals,
                                   std::span<const std::uint8_t> wanted = {});
 
-  /// The neighbourhoods of the usable cells; bases are the wanted ones.
+  /// Indices of the usable cells, ascending.
+  std::span<const std::int32_t> usable() const { return selected_; }
+  /// The neighbourhoods of these; bases are the wanted ones.
   const CellTiles& tiles() const { return tiles_; }
   /// Index in `cells` of the usable cell at grid position `position`.
   std::int32_t cell_index(std::int32_t position) const {

@@ -57,12 +57,20 @@ void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
 struct IronDescriptors {
   using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   /// cells x dimension: histogram 1 (normal against normal) row-major, then histogram 2 (normal
-  /// against connecting line). Each sums to 1 in a valid row; invalid rows are zero.
+  /// against connecting line). Each sums to 1 in a valid row; invalid rows are zero. May have more
+  /// rows than there are cells, also zero.
   Matrix values;
   std::vector<std::int32_t> neighbor_counts;  ///< 0: filtered out or too few neighbours
 
   bool valid(std::size_t i) const { return neighbor_counts[i] > 0; }
 };
+
+/// Gives `matrix` at least `rows` rows, and some to spare where it must grow: frame after frame it
+/// stays where it is. What it held is lost then.
+template <class Matrix>
+void GrowRows(Matrix& matrix, Eigen::Index rows, Eigen::Index columns) {
+  if (matrix.rows() < rows || matrix.cols() != columns) matrix.resize(rows + rows / 4, columns);
+}
 
 /// Computes the descriptor of each cell for which `wanted` is non-zero (all, if it is empty).
 /// Every cell of `cells` counts as neighbour, wanted or not.

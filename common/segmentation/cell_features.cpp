@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/segmentation/cell_features.hpp"
+
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string>
-
-#include "fallen/segmentation/cell_segmentation.hpp"
-#include "fallen/segmentation/height_columns.hpp"
 
 namespace fallen {
 namespace {
@@ -27,7 +25,7 @@ float Ratio(float smaller, float larger) { return larger > 0 ? smaller / larger 
 Eigen::Matrix<float, 1, kShapeFeatures> ShapeFeatures(std::size_t i, const CellNormal& cell_normal,
                                                       std::int32_t neighbor_count,
                                                       float expected_neighbors, const Plane& ground,
-                                                      const std::optional<HeightColumns>& columns) {
+                                                      const HeightColumns* columns) {
   const Eigen::Vector3f& lambda = cell_normal.eigenvalues;
   Eigen::Matrix<float, 1, kShapeFeatures> values = Eigen::Matrix<float, 1, kShapeFeatures>::Zero();
   values[0] = Ratio(lambda[0], lambda[1]);
@@ -54,12 +52,12 @@ int CellFeatureCount(const IronConfig& iron, CellFeatureSet features) {
   return iron.dimension() + (features == CellFeatureSet::kIronAndShape ? kShapeFeatures : 0);
 }
 
-FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal> normals,
-                                  const IronDescriptors& descriptors,
-                                  std::span<const std::int32_t> indices, CellFeatureSet features) {
+void ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal> normals,
+                         const IronDescriptors& descriptors, std::span<const std::int32_t> indices,
+                         CellFeatureSet features, CellFeatures& result) {
   const std::size_t cell_count = map.cells.size();
   if (normals.size() != cell_count || descriptors.neighbor_counts.size() != cell_count ||
-      static_cast<std::size_t>(descriptors.values.rows()) != cell_count)
+      static_cast<std::size_t>(descriptors.values.rows()) < cell_count)
     Fail("got " + std::to_string(cell_count) + " cells, " + std::to_string(normals.size()) +
          " normals and " + std::to_string(descriptors.values.rows()) +
          " descriptors, must be equally many");
@@ -70,14 +68,15 @@ FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal>
 
   const Eigen::Index dimension = descriptors.values.cols();
   const bool has_shape = features == CellFeatureSet::kIronAndShape;
-  FeatureMatrix matrix(static_cast<Eigen::Index>(indices.size()),
-                       dimension + (has_shape ? kShapeFeatures : 0));
+  FeatureMatrix& matrix = result.matrix;
+  GrowRows(matrix, static_cast<Eigen::Index>(indices.size()),
+           dimension + (has_shape ? kShapeFeatures : 0));
   for (std::size_t k = 0; k < indices.size(); ++k)
     matrix.row(static_cast<Eigen::Index>(k)).head(dimension) = descriptors.values.row(indices[k]);
-  if (!has_shape) return matrix;
+  if (!has_shape) return;
 
-  std::optional<HeightColumns> columns;
-  if (map.ground.ok()) columns.emplace(map.cells, map.ground.plane);
+  const HeightColumns* const columns = map.ground.ok() ? &result.columns : nullptr;
+  if (columns) result.columns.Build(map.cells, map.ground.plane);
   const auto cells_per_radius = static_cast<float>(kFarRadius / map.cell_size_m);
   const float expected_neighbors = std::numbers::pi_v<float> * cells_per_radius * cells_per_radius;
   for (std::size_t k = 0; k < indices.size(); ++k) {
@@ -86,7 +85,14 @@ FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal>
         ShapeFeatures(i, normals[i], descriptors.neighbor_counts[i], expected_neighbors,
                       map.ground.plane, columns);
   }
-  return matrix;
+}
+
+FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal> normals,
+                                  const IronDescriptors& descriptors,
+                                  std::span<const std::int32_t> indices, CellFeatureSet features) {
+  CellFeatures result;
+  ComputeCellFeatures(map, normals, descriptors, indices, features, result);
+  return result.matrix.topRows(static_cast<Eigen::Index>(indices.size()));
 }
 
 }  // namespace fallen

@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "fallen/iron/neighbor_grid.hpp"
+#include "fallen/segmentation/cell_segmenter.hpp"
 #include "fallen/segmentation/dbscan.hpp"
-#include "fallen/segmentation/smoothing.hpp"
 
 namespace fallen {
 namespace {
@@ -37,11 +36,11 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
-void Check(const ForegroundMap& foreground, const CellModel& model) {
+void Check(const ForegroundMap& foreground, double cell_size_m) {
   const NdtMap& map = foreground.map;
-  if (map.cell_size_m != model.cell_size_m)
+  if (map.cell_size_m != cell_size_m)
     Fail("the map's cell size is " + std::to_string(map.cell_size_m) + " m, the model's " +
-         std::to_string(model.cell_size_m) + " m");
+         std::to_string(cell_size_m) + " m");
   if (foreground.is_foreground.size() != map.cells.size())
     Fail("got " + std::to_string(foreground.is_foreground.size()) + " flags for " +
          std::to_string(map.cells.size()) + " cells");
@@ -49,53 +48,12 @@ void Check(const ForegroundMap& foreground, const CellModel& model) {
     if (!map.cells[i].mean.allFinite()) Fail("cell " + std::to_string(i) + " is not finite");
 }
 
-NdtMap ForegroundOnly(const ForegroundMap& foreground) {
-  NdtMap map{foreground.map.cell_size_m,
-             foreground.map.frame,
-             foreground.map.T_map_camera,
-             foreground.map.view,
-             foreground.map.ground,
-             {}};
+void TakeForegroundOnly(const ForegroundMap& foreground, NdtMap& map) {
+  map.cell_size_m = foreground.map.cell_size_m;
+  map.ground = foreground.map.ground;
+  map.cells.clear();
   for (std::size_t i = 0; i < foreground.map.cells.size(); ++i)
     if (foreground.is_foreground[i]) map.cells.push_back(foreground.map.cells[i]);
-  return map;
-}
-
-// The cells that can get a score, or give one by smoothing to a cell that can: foreground that does
-// not lie too high above the floor.
-std::vector<std::uint8_t> WantedCells(const NdtMap& map,
-                                      std::span<const std::uint8_t> is_foreground,
-                                      const SegmentationConfig& config) {
-  std::vector<std::uint8_t> wanted(map.cells.size(), 1);
-  if (!is_foreground.empty()) wanted.assign(is_foreground.begin(), is_foreground.end());
-  if (!map.ground.ok()) return wanted;
-  const double max_height_m = config.max_height_m + config.smoothing_radius_m;
-  for (std::size_t i = 0; i < map.cells.size(); ++i)
-    if (map.ground.plane.SignedHeight(map.cells[i].mean.cast<double>()) > max_height_m)
-      wanted[i] = 0;
-  return wanted;
-}
-
-std::vector<std::int32_t> DescribedCells(const IronDescriptors& descriptors) {
-  std::vector<std::int32_t> indices;
-  for (std::size_t i = 0; i < descriptors.neighbor_counts.size(); ++i)
-    if (descriptors.valid(i)) indices.push_back(static_cast<std::int32_t>(i));
-  return indices;
-}
-
-std::vector<Eigen::Vector3f> MeansOf(const std::vector<NdtCell>& cells,
-                                     std::span<const std::int32_t> indices) {
-  std::vector<Eigen::Vector3f> means;
-  for (const std::int32_t index : indices) means.push_back(cells[index].mean);
-  return means;
-}
-
-std::vector<float> Smooth(std::span<const Eigen::Vector3f> points, std::vector<float> scores,
-                          double radius_m) {
-  if (radius_m == 0 || points.empty()) return scores;
-  const auto radius = static_cast<float>(radius_m);
-  const std::vector<std::uint8_t> all_valid(points.size(), 1);
-  return SmoothScores(NeighborGrid(points, radius), points, scores, all_valid, radius);
 }
 
 // Sets `cluster` of the cells that are grouped, and returns the groups that are large enough.
@@ -156,31 +114,71 @@ void SegmentationConfig::Validate() const {
   check("min_cluster_cells", min_cluster_cells, min_cluster_cells >= 1, ">= 1");
 }
 
-SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& model,
-                          const SegmentationConfig& config, SegmentationTimes* times) {
-  config.Validate();
-  Check(foreground, model);
+CellSegmenter::CellSegmenter(const CellModel& model, const SegmentationConfig& config)
+    : config_(config),
+      cell_size_m_(model.cell_size_m),
+      features_(model.features),
+      scorer_(model.trees),
+      describer_(model.iron) {
+  config_.Validate();
+}
+
+// The cells that can get a score, or give one by smoothing to a cell that can: foreground that does
+// not lie too high above the floor.
+void CellSegmenter::FindWanted(const NdtMap& map, std::span<const std::uint8_t> is_foreground) {
+  is_wanted_.assign(map.cells.size(), 1);
+  if (!is_foreground.empty()) is_wanted_.assign(is_foreground.begin(), is_foreground.end());
+  if (!map.ground.ok()) return;
+  const double max_height_m = config_.max_height_m + config_.smoothing_radius_m;
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (map.ground.plane.SignedHeight(map.cells[i].mean.cast<double>()) > max_height_m)
+      is_wanted_[i] = 0;
+}
+
+void CellSegmenter::FindDescribed(const IronDescriptors& descriptors) {
+  described_.clear();
+  for (std::size_t i = 0; i < descriptors.neighbor_counts.size(); ++i)
+    if (descriptors.valid(i)) described_.push_back(static_cast<std::int32_t>(i));
+}
+
+void CellSegmenter::SmoothScores() {
+  if (config_.smoothing_radius_m == 0 || described_.empty()) return;
+  // The descriptors' tiles are over the usable cells, of which the described ones are some.
+  const std::span<const std::int32_t> usable = describer_.usable();
+  usable_scores_.assign(usable.size(), 0);
+  is_described_.assign(usable.size(), 0);
+  std::size_t k = 0;
+  for (std::size_t u = 0; u < usable.size() && k < described_.size(); ++u) {
+    if (usable[u] != described_[k]) continue;
+    usable_scores_[u] = scores_[k++];
+    is_described_[u] = 1;
+  }
+  const std::vector<float>& smoothed =
+      smoother_.Smooth(describer_.tiles(), usable_scores_, is_described_,
+                       static_cast<float>(config_.smoothing_radius_m));
+  k = 0;
+  for (std::size_t u = 0; u < usable.size(); ++u)
+    if (is_described_[u]) scores_[k++] = smoothed[u];
+}
+
+SegmentedMap CellSegmenter::Segment(const ForegroundMap& foreground, SegmentationTimes* times) {
+  Check(foreground, cell_size_m_);
   const NdtMap& map = foreground.map;
   Stopwatch stopwatch;
 
-  NdtMap foreground_only;
-  if (config.descriptors_on_foreground_only) foreground_only = ForegroundOnly(foreground);
-  const NdtMap& visible = config.descriptors_on_foreground_only ? foreground_only : map;
-  const std::span<const std::uint8_t> is_foreground = config.descriptors_on_foreground_only
-                                                          ? std::span<const std::uint8_t>()
-                                                          : foreground.is_foreground;
-  const std::vector<std::uint8_t> is_wanted = WantedCells(visible, is_foreground, config);
-  const std::vector<CellNormal> normals = ComputeNormals(visible.cells, model.iron);
-  const IronDescriptors descriptors =
-      ComputeIronDescriptors(visible.cells, normals, is_wanted, model.iron);
+  const bool foreground_only = config_.descriptors_on_foreground_only;
+  if (foreground_only) TakeForegroundOnly(foreground, foreground_only_);
+  const NdtMap& visible = foreground_only ? foreground_only_ : map;
+  FindWanted(visible, foreground_only ? std::span<const std::uint8_t>() : foreground.is_foreground);
+  ComputeNormals(visible.cells, describer_.config(), normals_);
+  const IronDescriptors& descriptors = describer_.Describe(visible.cells, normals_, is_wanted_);
   const double iron_ms = stopwatch.Lap();
 
-  const std::vector<std::int32_t> indices = DescribedCells(descriptors);
-  const FeatureMatrix features =
-      ComputeCellFeatures(visible, normals, descriptors, indices, model.features);
-  const std::vector<Eigen::Vector3f> means = MeansOf(visible.cells, indices);
-  const std::vector<float> scores =
-      Smooth(means, PredictScores(model.trees, features), config.smoothing_radius_m);
+  FindDescribed(descriptors);
+  ComputeCellFeatures(visible, normals_, descriptors, described_, features_, cell_features_);
+  scorer_.Score(cell_features_.matrix.topRows(static_cast<Eigen::Index>(described_.size())),
+                scores_);
+  SmoothScores();
 
   SegmentedMap segmented;
   segmented.cell_size_m = map.cell_size_m;
@@ -189,27 +187,33 @@ SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& mode
   segmented.view = map.view;
   segmented.ground = map.ground;
   segmented.background = foreground.status;
-  segmented.iron = model.iron;
-  std::vector<std::uint8_t> is_too_high(indices.size(), 0);
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    const NdtCell& cell = visible.cells[indices[k]];
+  segmented.iron = describer_.config();
+  segmented.cells.reserve(described_.size());
+  is_too_high_.assign(described_.size(), 0);
+  for (std::size_t k = 0; k < described_.size(); ++k) {
+    const NdtCell& cell = visible.cells[described_[k]];
     if (map.ground.ok())
-      is_too_high[k] =
-          map.ground.plane.SignedHeight(cell.mean.cast<double>()) > config.max_height_m;
-    segmented.cells.push_back({cell, is_too_high[k] ? kNeverPerson : scores[k], -1});
+      is_too_high_[k] =
+          map.ground.plane.SignedHeight(cell.mean.cast<double>()) > config_.max_height_m;
+    segmented.cells.push_back({cell, is_too_high_[k] ? kNeverPerson : scores_[k], -1});
   }
   const double cells_ms = stopwatch.Lap();
 
-  segmented.clusters = ClusterCells(segmented.cells, is_too_high, config);
+  segmented.clusters = ClusterCells(segmented.cells, is_too_high_, config_);
   for (CellCluster& cluster : segmented.clusters) {
     cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()),
                                descriptors.values.cols());
     for (std::size_t k = 0; k < cluster.cells.size(); ++k)
       cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
-          descriptors.values.row(indices[cluster.cells[k]]);
+          descriptors.values.row(described_[cluster.cells[k]]);
   }
   if (times) *times = {iron_ms, cells_ms, stopwatch.Lap()};
   return segmented;
+}
+
+SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& model,
+                          const SegmentationConfig& config, SegmentationTimes* times) {
+  return CellSegmenter(model, config).Segment(foreground, times);
 }
 
 }  // namespace fallen

@@ -23,33 +23,50 @@ struct ColumnSummary {
 /// The cells of a map sorted into upright columns on a raster of the floor, 0.1 m wide.
 ///
 /// Answers "what is above and below this cell" without a search in space. Discs are made of whole
-/// columns, so their edges follow the raster.
+/// columns, so their edges follow the raster, and all cells of a column share their summaries. Not
+/// thread-safe: summaries are remembered.
 class HeightColumns {
  public:
+  /// No columns.
+  HeightColumns() = default;
   /// @param ground  Floor in the cells' frame, normal up.
   /// @throws std::invalid_argument if a cell's mean is not finite.
-  HeightColumns(std::span<const NdtCell> cells, const Plane& ground);
+  HeightColumns(std::span<const NdtCell> cells, const Plane& ground) { Build(cells, ground); }
+
+  /// Starts anew, in the memory that is there: as the constructor.
+  void Build(std::span<const NdtCell> cells, const Plane& ground);
 
   /// Height of cell `i`'s mean above the floor [m].
   float height_m(std::size_t i) const { return heights_m_[i]; }
 
   /// Summary of the columns whose centres lie within `radius_m` of the centre of cell `i`'s column;
   /// its own is always among them.
-  ColumnSummary Summarize(std::size_t i, float radius_m) const;
+  const ColumnSummary& Summarize(std::size_t i, float radius_m) const;
 
  private:
   struct Column {
-    float lowest_m = 0;
-    float highest_m = 0;
-    float sum_m = 0;
-    std::int32_t count = 0;
+    float lowest_m, highest_m;  // infinities in a column without cells
+    float sum_m;
+    std::int32_t count;
+  };
+  // The summaries that were asked for with one radius.
+  struct Disc {
+    float radius_m;
+    std::vector<std::int32_t> half_widths;    // columns to either side, by row from the middle
+    std::vector<ColumnSummary> summaries;     // by column
+    std::vector<std::uint8_t> is_summarized;  // likewise
   };
 
-  float width_m_;
+  Disc& DiscOf(float radius_m) const;
+  ColumnSummary SummarizeColumn(std::int32_t column, const Disc& disc) const;
+
+  float width_m_ = 0;
   Eigen::Array2i size_ = Eigen::Array2i::Zero();
   std::vector<Column> columns_;  // row by row
   std::vector<std::int32_t> column_of_cell_;
   std::vector<float> heights_m_;
+  std::vector<Eigen::Array2d> places_;
+  mutable std::vector<Disc> discs_;
 };
 
 }  // namespace fallen

@@ -2,38 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fallen/segmentation/smoothing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 namespace fallen {
 
-std::vector<float> SmoothScores(const NeighborGrid& grid, std::span<const Eigen::Vector3f> points,
-                                std::span<const float> scores, std::span<const std::uint8_t> valid,
-                                float radius_m) {
-  if (grid.size() != points.size() || scores.size() != points.size() ||
-      valid.size() != points.size())
-    throw std::invalid_argument("smoothing: got " + std::to_string(points.size()) + " points, " +
-                                std::to_string(scores.size()) + " scores, " +
-                                std::to_string(valid.size()) + " flags and a grid of " +
-                                std::to_string(grid.size()) + ", must be equally many");
+const std::vector<float>& ScoreSmoother::Smooth(const CellTiles& tiles,
+                                                std::span<const float> scores,
+                                                std::span<const std::uint8_t> valid,
+                                                float radius_m) {
+  const NeighborGrid& grid = tiles.grid();
+  if (scores.size() != grid.size() || valid.size() != grid.size())
+    throw std::invalid_argument("smoothing: got " + std::to_string(scores.size()) + " scores, " +
+                                std::to_string(valid.size()) + " flags and tiles over " +
+                                std::to_string(grid.size()) + " points, must be equally many");
   if (!(radius_m >= 0) || !std::isfinite(radius_m))
     throw std::invalid_argument("smoothing: radius_m is " + std::to_string(radius_m) +
                                 ", must be >= 0 and finite");
 
-  std::vector<float> smoothed(points.size(), 0.0F);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!valid[i]) continue;
-    double sum = 0;
-    int count = 0;
-    grid.ForEachWithin(points[i], radius_m, [&](std::int32_t neighbor, float) {
-      if (!valid[neighbor]) return;
-      sum += scores[neighbor];
-      ++count;
-    });
-    smoothed[i] = static_cast<float>(sum / count);
+  points_.resize(grid.size());
+  for (std::size_t k = 0; k < grid.size(); ++k) {
+    const Eigen::Vector3f& point = grid.sorted_points()[k];
+    const std::int32_t i = grid.sorted_index()[k];
+    points_[k] = {point.x(), point.y(), point.z(), valid[i] ? scores[i] : 0.0F, valid[i] ? 1 : 0};
   }
-  return smoothed;
+  smoothed_.assign(grid.size(), 0.0F);
+  for (const CellTile& tile : tiles.tiles()) {
+    tiles.FindRuns(tile, radius_m, runs_);
+    const std::span<const std::int32_t> bases = tiles.bases_of(tile);
+    ScoreSums sums;
+    for (std::size_t lane = 0; lane < kMostLanes; ++lane) {
+      const ScoredPoint& point = points_[bases[std::min(lane, bases.size() - 1)]];
+      sums.x[lane] = point.x;
+      sums.y[lane] = point.y;
+      sums.z[lane] = point.z;
+    }
+    SumScores(points_.data(), runs_.data(), static_cast<int>(runs_.size()), radius_m * radius_m,
+              sums);
+    for (std::size_t lane = 0; lane < bases.size(); ++lane)
+      if (points_[bases[lane]].count > 0)
+        smoothed_[grid.sorted_index()[bases[lane]]] =
+            sums.sum[lane] / static_cast<float>(sums.count[lane]);
+  }
+  return smoothed_;
 }
 
 }  // namespace fallen

@@ -6,7 +6,7 @@
 
 #include "fallen/clusters_t.hpp"
 #include "fallen/ndt_map_t.hpp"
-#include "fallen/segmentation/cell_segmentation.hpp"
+#include "fallen/segmentation/cell_segmenter.hpp"
 #include "fallen/service/stage_loop.hpp"
 
 namespace fallen {
@@ -16,16 +16,15 @@ namespace fallen {
 class CellSegmentationService {
  public:
   /// @throws std::invalid_argument if the model or the configuration is out of range.
-  CellSegmentationService(lcm::LCM& lcm, const StageOptions& options, CellModel model,
+  CellSegmentationService(lcm::LCM& lcm, const StageOptions& options, const CellModel& model,
                           const SegmentationConfig& config);
 
   StageLoop& loop() { return loop_; }
 
  private:
-  clusters_t Segment(const ndt_map_t& message) const;
+  clusters_t Segment(const ndt_map_t& message);
 
-  CellModel model_;
-  SegmentationConfig config_;
+  CellSegmenter segmenter_;
   StageLoop loop_;
 };
 

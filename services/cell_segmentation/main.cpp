@@ -17,10 +17,9 @@ int main(int argc, char** argv) {
       .add_option("--model", model_file, "Trained model, before that of the configuration")
       ->type_name("FILE");
   return program.Run(argc, argv, [&](fallen::ServiceContext& context) {
-    fallen::Model model = fallen::LoadModelFor(context.configuration, model_file);
+    const fallen::Model model = fallen::LoadModelFor(context.configuration, model_file);
     const auto settings = context.configuration.SegmentationOver(model.segmentation);
-    fallen::CellSegmentationService service(context.lcm, context.options, std::move(model.cells),
-                                            settings);
+    fallen::CellSegmentationService service(context.lcm, context.options, model.cells, settings);
     fallen::LogInfo("segmentation over the model's: " + fallen::ConfigText(settings));
     return context.Run(service.loop());
   });

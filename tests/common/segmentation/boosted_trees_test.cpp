@@ -9,6 +9,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "tests/support/simd_levels.hpp"
+
 namespace fallen {
 namespace {
 
@@ -118,6 +120,26 @@ TEST(PredictScores, GivesARowTheSameBitsInAnyCompany) {
   for (Eigen::Index i = 0; i < features.size(); ++i) features.data()[i] = uniform(random);
   const std::vector<float> together = PredictScores(model, features);
   for (int i = 0; i < 19; ++i) EXPECT_EQ(PredictScores(model, features.row(i))[0], together[i]);
+}
+
+TEST(PredictScores, GivesTheSameBitsAtEverySimdLevel) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  for (const int max_depth : {1, 4, 7}) {
+    const BoostedTrees model = RandomTrees(60, 13, max_depth, random);
+    FeatureMatrix features(101, 13);
+    for (Eigen::Index i = 0; i < features.size(); ++i) features.data()[i] = uniform(random);
+    for (Eigen::Index i = 0; i < 40; ++i) {  // values on thresholds
+      const Node& node = model.nodes[random() % model.nodes.size()];
+      if (node.feature >= 0) features(i, node.feature) = node.threshold;
+    }
+    std::vector<float> portable;
+    test::AtEverySimdLevel([&](SimdLevel level) {
+      const std::vector<float> scores = PredictScores(model, features);
+      if (level == SimdLevel::kPortable) portable = scores;
+      EXPECT_EQ(scores, portable) << "level " << static_cast<int>(level);
+    });
+  }
 }
 
 TEST(PredictScores, TakesNoRowsAndModelsThatDoNotVote) {

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fallen/iron/iron_describer.hpp"
+#include "fallen/segmentation/cell_segmentation.hpp"
+#include "fallen/segmentation/smoothing.hpp"
+#include "fallen/segmentation/tree_scorer.hpp"
+
+namespace fallen {
+
+/// SegmentCells for frame after frame: with the model prepared once, and in the same memory. Not
+/// thread-safe.
+class CellSegmenter {
+ public:
+  /// @param model  Valid: see CellModel::Validate.
+  /// @throws std::invalid_argument if `config` is out of range.
+  CellSegmenter(const CellModel& model, const SegmentationConfig& config);
+
+  /// @throws std::invalid_argument as SegmentCells.
+  SegmentedMap Segment(const ForegroundMap& foreground, SegmentationTimes* times = nullptr);
+
+ private:
+  void FindWanted(const NdtMap& map, std::span<const std::uint8_t> is_foreground);
+  void FindDescribed(const IronDescriptors& descriptors);
+  void SmoothScores();
+
+  SegmentationConfig config_;
+  double cell_size_m_;
+  CellFeatureSet features_;
+  TreeScorer scorer_;
+  IronDescriber describer_;
+  ScoreSmoother smoother_;
+  NdtMap foreground_only_;
+  std::vector<std::uint8_t> is_wanted_;
+  std::vector<CellNormal> normals_;
+  std::vector<std::int32_t> described_;  // cells with a descriptor
+  CellFeatures cell_features_;           // of those
+  std::vector<float> scores_;            // likewise
+  std::vector<std::uint8_t> is_too_high_;
+  std::vector<float> usable_scores_;  // by the describer's usable cells
+  std::vector<std::uint8_t> is_described_;
+};
+
+}  // namespace fallen
