@@ -39,11 +39,34 @@ TEST_F(RestingPersonTest, LiesOnTheSeatAlongTheSofa) {
   }
 }
 
+TEST_F(RestingPersonTest, SitsOnTheSeatFacingAwayFromItsBack) {
+  for (const double yaw : {0.0, 1.2}) {
+    const Scene scene = SofaRoom(yaw);
+    Random random(4);
+    const auto seated = MakeSeatedPerson(assets().humans, scene, random);
+    ASSERT_TRUE(seated);
+    EXPECT_EQ(seated->category, kSeated);
+    EXPECT_GT(seated->mesh.Bounds().max().z(), 0.4 + 0.5);
+    // Legs are before the front edge, nothing is behind the back.
+    const Eigen::Rotation2Df to_sofa(static_cast<float>(-yaw));
+    float front = 0, rear = 0;
+    for (const Eigen::Vector3f& vertex : seated->mesh.vertices) {
+      const Eigen::Vector2f p =
+          to_sofa * (vertex.head<2>() - scene.objects[0].box.center.head<2>().cast<float>());
+      front = std::min(front, p.y());
+      rear = std::max(rear, p.y());
+    }
+    EXPECT_LT(front, -0.45f);
+    EXPECT_LT(rear, 0.45f);
+  }
+}
+
 TEST_F(RestingPersonTest, NeedsSomethingToLieOn) {
   Scene scene = SofaRoom(0);
   scene.objects[0].name = "KatorLegaz/fridge";
   Random random(3);
   EXPECT_FALSE(MakeRestingPerson(assets().humans, scene, random));
+  EXPECT_FALSE(MakeSeatedPerson(assets().humans, scene, random));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "tests/tools/simulate/assets_fixture.hpp"
 #include "tools/simulate/random.hpp"
+#include "tools/simulate/room_shell.hpp"
 
 namespace fallen::sim {
 namespace {
@@ -76,6 +77,54 @@ TEST_F(FurnishRoomTest, NothingOverlapsAndFreeFloorStaysFree) {
       EXPECT_FALSE(Overlap(footprints[0], footprints[i], -1e-3));
   }
   EXPECT_GT(objects, 12 * 3);
+}
+
+TEST_F(FurnishRoomTest, EveryKindHasFloorForAPersonAndItsFurniture) {
+  for (const auto& [kind, name] : EnumNames(RoomKind{})) {
+    std::size_t pieces = 0;
+    for (int id = 1; id <= 3; ++id) {
+      const FurnishedRoom room = FurnishRoom(id, FurniturePool::kTest, assets().furniture, 0, kind);
+      pieces += room.scene.objects.size();
+      EXPECT_GE(room.free_floor.size.x(), 1.9) << name;
+      EXPECT_GE(room.free_floor.size.y(), 0.85) << name;
+      const Eigen::Vector2d half = room.scene.room_size / 2;
+      for (const double s : {-0.5, 0.5}) {
+        const Eigen::Vector2d end =
+            room.free_floor.center + Eigen::Rotation2Dd(room.free_floor.yaw) *
+                                         Eigen::Vector2d(s * room.free_floor.size.x(), 0);
+        EXPECT_LT(std::abs(end.x()), half.x() + 0.05) << name;
+        EXPECT_LT(std::abs(end.y()), half.y() + 0.05) << name;
+      }
+    }
+    EXPECT_GE(pieces, 2u) << name;
+  }
+}
+
+TEST_F(FurnishRoomTest, BedroomsOfEveryPoolHaveBeds) {
+  for (const FurniturePool pool :
+       {FurniturePool::kTrain, FurniturePool::kValidation, FurniturePool::kTest}) {
+    int beds = 0;
+    for (int id = 1; id <= 5; ++id) {
+      const FurnishedRoom room = FurnishRoom(id, pool, assets().furniture, 0, RoomKind::kBedroom);
+      for (const SceneObject& object : room.scene.objects)
+        beds += RoleOf(object.name) == FurnitureRole::kBed;
+    }
+    EXPECT_GE(beds, 2);
+  }
+}
+
+TEST(RoomShell, ReachesTheCeilingAndKeepsTheFloorLevel) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Random random(seed);
+    const TriangleMesh shell = MakeRoomShell({4, 3}, 2.5, random);
+    EXPECT_EQ(shell.albedo.size(), shell.triangles.size());
+    double highest_inside = 0;
+    for (const Eigen::Vector3f& vertex : shell.vertices)
+      if (std::abs(vertex.x()) < 1.98f && std::abs(vertex.y()) < 1.48f && vertex.z() < 2.4f)
+        highest_inside = std::max<double>(highest_inside, vertex.z());
+    EXPECT_LE(highest_inside, 0.011);  // rugs, and nothing else away from the walls
+    EXPECT_NEAR(shell.Bounds().max().z(), 2.6, 0.01);
+  }
 }
 
 }  // namespace
