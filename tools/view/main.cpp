@@ -2,28 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <stdexcept>
 
-#include "tools/common/camera_option.hpp"
-#include "tools/common/detector_setup.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/frames/frame_source.hpp"
-#include "tools/view/frame_choice.hpp"
-#include "tools/view/frame_picture.hpp"
+#include "tools/view/picture/frame_choice.hpp"
+#include "tools/view/picture/frame_picture.hpp"
+#include "tools/view/serve_page.hpp"
+#include "tools/view/view_options.hpp"
 
 namespace {
 
-std::string CheckFrameChoice(const std::string& text) {
-  try {
-    fallen::ParseFrameChoice(text);
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
+int ExportPicture(const fallen::ViewOptions& options) {
+  fallen::Detector detector = fallen::MakeDetector(options.detector);
+  const auto recording = fallen::OpenFrameSource(options.input, options.camera);
+  const fallen::ViewedFrame viewed = FindFrame(
+      *recording, detector, fallen::ParseFrameChoice(options.frame), fallen::NameOf(options.input));
+  SaveFramePicture(options.export_file, viewed);
+  std::cerr << "frame " << viewed.index << ": " << DescribeFrame(viewed) << std::endl;
+  return 0;
 }
 
-/// Name of a recording for people: its last part.
-std::string NameOf(const std::filesystem::path& input) {
-  return (input.has_filename() ? input : input.parent_path()).filename().string();
+int View(const fallen::ViewOptions& options) {
+  if (options.export_file.empty()) return fallen::ServePage(options);
+  if (options.input.empty())
+    throw std::runtime_error("--export: got no input, expected a recording to make a picture of");
+  return ExportPicture(options);
 }
 
 }  // namespace
@@ -31,30 +35,9 @@ std::string NameOf(const std::filesystem::path& input) {
 int main(int argc, char** argv) {
   const auto parser = fallen::MakeToolParser(
       "fallen-view",
-      "Makes a picture of a frame: the depth image beside the NDT map, with what was found in it");
-  std::filesystem::path input;
-  std::filesystem::path png;
-  std::string frame = "best";
-  std::optional<std::string> camera;
-  fallen::DetectorOptions detector_options;
-  parser->add_option("input", input, "LCM log, .oni file or directory (see fallen-import)")
-      ->required();
-  parser->add_option("--export", png, "Picture to write (PNG)")->required();
-  parser
-      ->add_option("--frame", frame, "Number of the frame from 0, or best: the highest probability")
-      ->check(CheckFrameChoice)
-      ->capture_default_str();
-  parser->add_option("--camera", camera, "Camera of a log; default: its only one")
-      ->check(fallen::CheckCameraName);
-  AddDetectorOptions(*parser, detector_options);
-
-  return fallen::RunTool(*parser, argc, argv, [&] {
-    fallen::Detector detector = fallen::MakeDetector(detector_options);
-    const auto recording = fallen::OpenFrameSource(input, camera);
-    const fallen::ViewedFrame viewed =
-        FindFrame(*recording, detector, fallen::ParseFrameChoice(frame), NameOf(input));
-    SaveFramePicture(png, viewed);
-    std::cerr << "frame " << viewed.index << ": " << DescribeFrame(viewed) << std::endl;
-    return 0;
-  });
+      "Shows what the detector sees as a page in the browser, live or from a recording, and makes "
+      "pictures of it");
+  fallen::ViewOptions options;
+  AddViewOptions(*parser, options);
+  return fallen::RunTool(*parser, argc, argv, [&] { return View(options); });
 }
