@@ -58,7 +58,8 @@ function begin() {
 
 function takeTimeline(message) {
   timeline.take(message);
-  if (!hasBegun) begin();
+  if (hasBegun) player.timelineGrew();
+  else begin();
   plot.draw();
   showControls();
 }
@@ -90,7 +91,7 @@ function showFacts() {
 }
 
 function showControls() {
-  byId('play-button').textContent = player.isPlaying || player.followsNewest ? '⏸' : '▶';
+  byId('play-button').classList.toggle('is-running', player.isPlaying || player.followsNewest);
   byId('speed-button').textContent = `${player.speed}×`;
   byId('speed-button').hidden = player.isLiveFeed;
   byId('live-button').hidden = !player.isLiveFeed;

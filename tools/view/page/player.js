@@ -18,6 +18,7 @@ export class Player {
     this.seconds = 0;      // the playhead
     this.isWaiting = false;
     this.wanted = null;    // asked for while waiting
+    this.resumeAt = null;  // a frame to go back to once the server has it
   }
 
   /// A connection has begun: what the server has may be something else now.
@@ -29,8 +30,18 @@ export class Player {
     if (isFirst) {
       this.isPlaying = true;
       this.seconds = 0;
+      return this.request(0);
     }
-    this.request(Math.max(this.shown, 0));
+    this.resumeAt = this.shown;
+    this.timelineGrew();
+  }
+
+  /// After a restart the server may have to read its recording again: back to the place when it is there.
+  timelineGrew() {
+    if (this.resumeAt === null || this.resumeAt >= this.timeline.end) return;
+    const place = this.resumeAt;
+    this.resumeAt = null;
+    this.request(place);
   }
 
   request(what) {
@@ -80,6 +91,7 @@ export class Player {
   }
 
   seek(index) {
+    this.resumeAt = null;
     if (this.timeline.entries.length === 0) return;
     const first = Math.max(this.timeline.kept, this.timeline.oldest);
     const place = Math.min(Math.max(index, first), this.timeline.end - 1);

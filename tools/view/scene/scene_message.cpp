@@ -76,7 +76,8 @@ std::optional<NdtMap> MapOf(const Scene& scene) {
   if (scene.map) return scene.map->map;
   if (!scene.segmented) return std::nullopt;
   const SegmentedMap& segmented = *scene.segmented;
-  NdtMap map{segmented.cell_size_m, segmented.frame, segmented.T_map_camera, segmented.ground, {}};
+  NdtMap map{segmented.cell_size_m, segmented.frame,  segmented.T_map_camera,
+             segmented.view,        segmented.ground, {}};
   for (const ScoredCell& scored : segmented.cells) map.cells.push_back(scored.cell);
   return map;
 }

@@ -11,9 +11,9 @@
 #include <regex>
 #include <thread>
 
-#include "tests/integration/child_process.hpp"
-#include "tests/integration/service_chain.hpp"
+#include "tests/support/child_process.hpp"
 #include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/tools/view/server/http_request.hpp"
 
 namespace fallen {
@@ -22,7 +22,6 @@ namespace {
 using testing::HasSubstr;
 using testing_support::ChildProcess;
 using testing_support::Program;
-using testing_support::TestFolder;
 
 /// fallen-view on a free port, with a page of two small files.
 class Viewer {
@@ -58,7 +57,7 @@ class Viewer {
   ChildProcess& process() { return *process_; }
 
  private:
-  TestFolder folder_;
+  TemporaryFolder folder_;
   std::optional<ChildProcess> process_;
 };
 
@@ -97,7 +96,7 @@ TEST(FallenViewPage, SurvivesWhatIsNoRequest) {
 }
 
 TEST(FallenViewPage, AWrongCallIsOneLineAndStatusTwo) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   Viewer::WritePage(folder.path() / "page");
   const std::string page = (folder.path() / "page").string();
   Viewer other(kQuietLcm);

@@ -10,7 +10,7 @@ import {themeColor} from '../palette.js';
 
 const kMaxBoxes = 32;
 const kEdges = 12;
-const kThickness = {person: 0.022, candidate: 0.009, truth: 0.009};  // [m]
+const kThickness = {person: 0.014, candidate: 0.007, truth: 0.007};  // [m]
 const kUp = new Vector3(0, 0, 1);
 
 /// Middle and size of each edge of a box, in its own axes.
@@ -42,6 +42,13 @@ function boxesOf(frame) {
   return boxes.slice(0, kMaxBoxes);
 }
 
+/// What was found has its label above its box; what is really there, at a corner on the floor.
+function labelPlace([x, y, z], [length, width, height], yaw, kind) {
+  if (kind !== 'truth') return new Vector3(x, y, z + height / 2 + 0.06);
+  const corner = new Vector3(length / 2, width / 2, -height / 2).applyAxisAngle(kUp, yaw);
+  return corner.add(new Vector3(x, y, z));
+}
+
 export class Boxes {
   /// @param labels  Element over the canvas that takes the labels.
   constructor(labels) {
@@ -70,8 +77,8 @@ export class Boxes {
     this.object.count = at;
     this.object.instanceMatrix.needsUpdate = true;
     if (this.object.instanceColor) this.object.instanceColor.needsUpdate = true;
-    this.tags = boxes.map(({center, size, kind, text}) => ({
-      top: new Vector3(center[0], center[1], center[2] + size[2] / 2 + 0.06),
+    this.tags = boxes.map(({center, size, yaw, kind, text}) => ({
+      top: labelPlace(center, size, yaw, kind),
       tag: element('span', {class: `tag ${kind}`}, text),
     }));
     this.labels.replaceChildren(...this.tags.map(({tag}) => tag));
