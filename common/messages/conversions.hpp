@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "fallen/alarm/fall_alarm.hpp"
 #include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/detection/detector.hpp"
 #include "fallen/environment_map_t.hpp"
+#include "fallen/fall_alarm_ack_t.hpp"
+#include "fallen/fall_alarm_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/ground_truth_t.hpp"
 #include "fallen/messages/depth_codec.hpp"
@@ -66,6 +69,29 @@ SegmentedMap FromMessage(const clusters_t& message);
 
 fallen_persons_t ToMessage(const Header& header, const Decision& decision);
 Decision FromMessage(const fallen_persons_t& message);
+
+/// A change of an alarm as it travels: whose it is, and its number in that robot's history.
+struct NumberedAlarm {
+  std::string robot;
+  std::int64_t number = 0;
+  FallAlarm alarm;
+
+  bool operator==(const NumberedAlarm&) const = default;
+};
+fall_alarm_t ToMessage(const NumberedAlarm& value);
+NumberedAlarm FromMessage(const fall_alarm_t& message);
+
+/// Somebody's answer to an alarm.
+struct AlarmAnswer {
+  std::int64_t utime = 0;
+  std::string event_id;  ///< "": all that are active
+  std::string by;
+  bool closes = false;  ///< it is over; else: has taken notice
+
+  bool operator==(const AlarmAnswer&) const = default;
+};
+fall_alarm_ack_t ToMessage(const AlarmAnswer& value);
+AlarmAnswer FromMessage(const fall_alarm_ack_t& message);
 
 /// What is really there. `labels` has one value a pixel, or is empty.
 struct LabelledObject {

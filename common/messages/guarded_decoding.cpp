@@ -9,6 +9,8 @@
 #include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/environment_map_t.hpp"
+#include "fallen/fall_alarm_ack_t.hpp"
+#include "fallen/fall_alarm_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/ground_truth_t.hpp"
 #include "fallen/messages/log_format.hpp"
@@ -78,5 +80,7 @@ template Decoded<ground_truth_t> DecodeMessage(std::span<const std::uint8_t>) no
 template Decoded<service_status_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<model_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<environment_map_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
+template Decoded<fall_alarm_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
+template Decoded<fall_alarm_ack_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 
 }  // namespace fallen

@@ -47,6 +47,10 @@ class LogReader {
   std::unique_ptr<State> state_;
 };
 
+/// Bytes of an event as they stand in a log: a log is nothing but its events.
+/// @throws std::invalid_argument for a channel or data that LCM has no room for.
+std::vector<std::uint8_t> EncodeLogEvent(const LogEvent& event);
+
 /// Writes events; numbers them. @throws std::runtime_error on any failure to write.
 class LogWriter {
  public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -37,26 +37,32 @@ LogWriter::LogWriter(const std::filesystem::path& path) : state_(std::make_uniqu
 LogWriter::~LogWriter() = default;
 LogWriter::LogWriter(LogWriter&&) noexcept = default;
 
-void LogWriter::Write(std::int64_t utime, const std::string& channel,
-                      const std::vector<std::uint8_t>& data) {
+std::vector<std::uint8_t> EncodeLogEvent(const LogEvent& event) {
   using namespace log_format;
-  if (state_->file == nullptr) throw std::logic_error(state_->path.string() + ": is closed");
-  const auto channel_bytes = static_cast<std::int64_t>(channel.size());
+  const auto channel_bytes = static_cast<std::int64_t>(event.channel.size());
   if (channel_bytes < 1 || channel_bytes > kMaxChannelBytes)
     throw std::invalid_argument("log event: channel: got " + std::to_string(channel_bytes) +
                                 " characters, expected 1 to " + std::to_string(kMaxChannelBytes));
-  if (static_cast<std::int64_t>(data.size()) > kMaxDataBytes)
-    throw std::invalid_argument("log event: data: got " + std::to_string(data.size()) +
+  if (static_cast<std::int64_t>(event.data.size()) > kMaxDataBytes)
+    throw std::invalid_argument("log event: data: got " + std::to_string(event.data.size()) +
                                 " bytes, expected at most " + std::to_string(kMaxDataBytes));
-  std::array<std::uint8_t, kHeaderBytes> header{};
-  WriteBigEndian(kSyncWord, &header[0]);
-  WriteBigEndian(static_cast<std::uint64_t>(state_->events), &header[4]);
-  WriteBigEndian(static_cast<std::uint64_t>(utime), &header[12]);
-  WriteBigEndian(static_cast<std::uint32_t>(channel.size()), &header[20]);
-  WriteBigEndian(static_cast<std::uint32_t>(data.size()), &header[24]);
-  state_->Put(header.data(), header.size());
-  state_->Put(channel.data(), channel.size());
-  state_->Put(data.data(), data.size());
+  std::vector<std::uint8_t> bytes(kHeaderBytes + event.channel.size() + event.data.size());
+  WriteBigEndian(kSyncWord, &bytes[0]);
+  WriteBigEndian(static_cast<std::uint64_t>(event.number), &bytes[4]);
+  WriteBigEndian(static_cast<std::uint64_t>(event.utime), &bytes[12]);
+  WriteBigEndian(static_cast<std::uint32_t>(event.channel.size()), &bytes[20]);
+  WriteBigEndian(static_cast<std::uint32_t>(event.data.size()), &bytes[24]);
+  const auto data =
+      std::copy(event.channel.begin(), event.channel.end(), bytes.begin() + kHeaderBytes);
+  std::copy(event.data.begin(), event.data.end(), data);
+  return bytes;
+}
+
+void LogWriter::Write(std::int64_t utime, const std::string& channel,
+                      const std::vector<std::uint8_t>& data) {
+  if (state_->file == nullptr) throw std::logic_error(state_->path.string() + ": is closed");
+  const auto bytes = EncodeLogEvent({state_->events, utime, channel, data});
+  state_->Put(bytes.data(), bytes.size());
   ++state_->events;
 }
 

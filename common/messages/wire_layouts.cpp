@@ -6,6 +6,8 @@
 #include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/environment_map_t.hpp"
+#include "fallen/fall_alarm_ack_t.hpp"
+#include "fallen/fall_alarm_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/ground_truth_t.hpp"
 #include "fallen/messages/wire_layout.hpp"
@@ -193,6 +195,30 @@ constexpr Field kEnvironmentMapFields[] = {
     {kDouble, "cell_size_m"}, {kString, "description"}, {kStruct, "cells", 1, 1, &kNdtCells}};
 constexpr Layout kEnvironmentMap{"environment_map_t", kEnvironmentMapFields};
 
+constexpr Field kFallAlarmFields[] = {{kStruct, "header", 1, 1, &kHeader},
+                                      {kString, "robot"},
+                                      {kString, "event_id"},
+                                      {kInt32, "revision"},
+                                      {kInt8, "change"},
+                                      {kInt64, "first_utime"},
+                                      {kInt64, "raised_utime"},
+                                      {kInt64, "acknowledged_utime"},
+                                      {kString, "acknowledged_by"},
+                                      {kInt64, "cleared_utime"},
+                                      {kString, "cleared_by"},
+                                      {kInt32, "frame"},
+                                      {kDouble, "position", 3},
+                                      {kStruct, "box", 1, 1, &kBox},
+                                      {kDouble, "probability"},
+                                      {kDouble, "best_probability"},
+                                      {kInt32, "views"},
+                                      {kInt32, "frames"}};
+constexpr Layout kFallAlarm{"fall_alarm_t", kFallAlarmFields};
+
+constexpr Field kFallAlarmAckFields[] = {
+    {kStruct, "header", 1, 1, &kHeader}, {kString, "event_id"}, {kString, "by"}, {kInt8, "action"}};
+constexpr Layout kFallAlarmAck{"fall_alarm_ack_t", kFallAlarmAckFields};
+
 }  // namespace
 
 template <>
@@ -230,6 +256,14 @@ const Layout& LayoutOf<model_t>() {
 template <>
 const Layout& LayoutOf<environment_map_t>() {
   return kEnvironmentMap;
+}
+template <>
+const Layout& LayoutOf<fall_alarm_t>() {
+  return kFallAlarm;
+}
+template <>
+const Layout& LayoutOf<fall_alarm_ack_t>() {
+  return kFallAlarmAck;
 }
 
 }  // namespace fallen::wire

@@ -9,6 +9,8 @@
 namespace fallen::channels {
 
 inline constexpr char kRobotPose[] = "ROBOT_POSE";
+inline constexpr char kFallAlarm[] = "FALL_ALARM";
+inline constexpr char kFallAlarmAck[] = "FALL_ALARM_ACK";
 
 inline std::string Depth(const std::string& camera) { return "DEPTH_" + camera; }
 inline std::string NdtMap(const std::string& camera) { return "NDT_MAP_" + camera; }

@@ -70,6 +70,15 @@ environment_map_t Sample() {
   return ToMessage(EnvironmentMap{0.05, samples::SampleCells(5)}, "sample");
 }
 
+template <>
+fall_alarm_t Sample() {
+  return ToMessage(samples::SampleAlarm());
+}
+template <>
+fall_alarm_ack_t Sample() {
+  return ToMessage(samples::SampleAnswer());
+}
+
 template <class Message>
 class GuardedDecoding : public testing::Test {
  protected:
@@ -91,8 +100,9 @@ class GuardedDecoding : public testing::Test {
   }
 };
 
-using Types = testing::Types<pose_t, depth_image_t, ndt_map_t, clusters_t, fallen_persons_t,
-                             ground_truth_t, service_status_t, model_t, environment_map_t>;
+using Types =
+    testing::Types<pose_t, depth_image_t, ndt_map_t, clusters_t, fallen_persons_t, ground_truth_t,
+                   service_status_t, model_t, environment_map_t, fall_alarm_t, fall_alarm_ack_t>;
 TYPED_TEST_SUITE(GuardedDecoding, Types);
 
 TYPED_TEST(GuardedDecoding, GivesBackWhatWasEncoded) {

@@ -96,6 +96,33 @@ inline Decision SampleDecision() {
   return decision;
 }
 
+inline NumberedAlarm SampleAlarm() {
+  FallAlarm alarm;
+  alarm.id = "robot-20231114T221320Z-7";
+  alarm.revision = 3;
+  alarm.change = AlarmChange::kAcknowledged;
+  alarm.change_utime = 1'700'000'009'000'000;
+  alarm.camera = "FRONT";
+  alarm.first_utime = 1'700'000'000'000'000;
+  alarm.raised_utime = 1'700'000'001'000'000;
+  alarm.acknowledged_utime = 1'700'000'009'000'000;
+  alarm.acknowledged_by = "night shift";
+  alarm.cleared_utime = 1'700'000'019'000'000;
+  alarm.cleared_by = "day shift";
+  alarm.frame = MapFrame::kLevel;
+  alarm.position = {1, 2, 0.25};
+  alarm.box = SampleBox();
+  alarm.probability = 0.998;
+  alarm.best_probability = 0.97;
+  alarm.views = 4;
+  alarm.frames = 55;
+  return {"robot", 12, alarm};
+}
+
+inline AlarmAnswer SampleAnswer() {
+  return {1'700'000'009'000'000, "robot-20231114T221320Z-7", "night shift", true};
+}
+
 inline GroundTruth SampleTruth() {
   GroundTruth truth;
   truth.person_box = SampleBox();
