@@ -17,6 +17,8 @@ find_package(PCL 1.12 REQUIRED QUIET COMPONENTS common kdtree search sample_cons
                                                 segmentation io)
 find_package(LCM REQUIRED MODULE)     # cmake/FindLCM.cmake: CMake package or pkg-config
 find_package(OpenNI2 MODULE)          # cmake/FindOpenNI2.cmake
+find_package(SQLite3 QUIET)
+pkg_check_modules(MOSQUITTO IMPORTED_TARGET libmosquitto)
 find_package(embree 3 CONFIG QUIET)
 find_package(assimp CONFIG QUIET)
 
@@ -28,5 +30,7 @@ function(fallen_report name found what)
   endif()
 endfunction()
 fallen_report("OpenNI2" OpenNI2_FOUND "fallen-depth-capture, .oni input")
+fallen_report("SQLite" SQLite3_FOUND "fallen-alarm")
+fallen_report("libmosquitto" MOSQUITTO_FOUND "fallen-alarm")
 fallen_report("Embree" embree_FOUND "fallen-simulate")
 fallen_report("Assimp" assimp_FOUND "fallen-simulate")

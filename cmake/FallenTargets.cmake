@@ -61,11 +61,11 @@ function(fallen_executable name)
   install(TARGETS ${name} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endfunction()
 
-# fallen_service(<name> SOURCES <file>... DEPENDS <target>...) makes fallen_<name>_service, which tests link,
-# and of it and main.cpp the installed program fallen-<name>. Sources say
+# fallen_service(<name> [PROGRAM <program>] SOURCES <file>... DEPENDS <target>...) makes fallen_<name>_service,
+# which tests link, and of it and main.cpp the installed program, fallen-<name> unless told. Sources say
 # `#include "services/<name>/<name>_service.hpp"`.
 function(fallen_service name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PROGRAM" "SOURCES;DEPENDS" ${ARGN})
   set(target fallen_${name}_service)
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(fallen::${name}_service ALIAS ${target})
@@ -73,6 +73,9 @@ function(fallen_service name)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PUBLIC fallen::service ${ARG_DEPENDS} PRIVATE fallen_warnings)
   string(REPLACE "_" "-" program "fallen-${name}")
+  if(ARG_PROGRAM)
+    set(program ${ARG_PROGRAM})
+  endif()
   fallen_executable(${program} SOURCES main.cpp DEPENDS ${target})
 endfunction()
 

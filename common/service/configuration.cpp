@@ -13,7 +13,7 @@ namespace fallen {
 namespace {
 
 constexpr char kSections[] =
-    "ground ndt background segmentation classification alarm files service capture";
+    "ground ndt background segmentation classification alarm files service capture history mqtt";
 
 /// Fills `config` from the section `name` and takes the name off the list of those to be explained.
 template <class Config>
@@ -72,6 +72,8 @@ Configuration LoadConfiguration(const std::optional<std::filesystem::path>& path
   TakeSection(root, file, "files", config.files, known);
   TakeSection(root, file, "service", config.service, known);
   TakeSection(root, file, "capture", config.capture, known);
+  TakeSection(root, file, "history", config.history, known);
+  TakeSection(root, file, "mqtt", config.mqtt, known);
   // Over the defaults now, so that a mistake is found without a model; over the model's in use.
   SegmentationConfig trial;
   TakeSection(root, file, "segmentation", trial, known, YamlNull::kKeepValue);
@@ -82,9 +84,10 @@ Configuration LoadConfiguration(const std::optional<std::filesystem::path>& path
     config.override_segmentation = [segmentation, file](SegmentationConfig& settings) {
       ReadYamlSection(segmentation, {file, "segmentation"}, settings, YamlNull::kKeepValue);
     };
-  config.files.model = RelativeTo(path->parent_path(), config.files.model);
-  config.files.environment_map = RelativeTo(path->parent_path(), config.files.environment_map);
-  config.files.zones = RelativeTo(path->parent_path(), config.files.zones);
+  for (std::string* file_path :
+       {&config.files.model, &config.files.environment_map, &config.files.zones,
+        &config.history.file, &config.mqtt.ca_file, &config.mqtt.password_file})
+    *file_path = RelativeTo(path->parent_path(), *file_path);
   return config;
 }
 

@@ -9,14 +9,15 @@
 
 #include "fallen/alarm/alarm_config.hpp"
 #include "fallen/detection/detector.hpp"
+#include "fallen/service/alarm_output_config.hpp"
 #include "fallen/service/capture_config.hpp"
 
 /// Configuration of a deployment: one YAML file that every service and tool reads its sections of.
 ///
 /// Sections: ground, ndt, background, segmentation, classification, alarm, files (model,
-/// environment_map, zones), service (lcm_url, camera, robot), capture. Every key has a default; an
-/// unknown key or section, a value of a wrong type or out of range is an error that names file and
-/// line.
+/// environment_map, zones), service (lcm_url, camera, robot), capture, history, mqtt. Every key has
+/// a default; an unknown key or section, a value of a wrong type or out of range is an error that
+/// names file and line.
 namespace fallen {
 
 /// Files that stages load. Relative paths are relative to the configuration file.
@@ -56,9 +57,11 @@ struct Configuration {
   BackgroundConfig background;
   ClassificationConfig classification;
   AlarmConfig alarm;
-  FilesConfig files;  ///< paths as they can be opened: no longer relative to the file
+  FilesConfig files;  ///< paths as they can be opened, here and below: no longer relative
   ServiceConfig service;
   CaptureConfig capture;
+  HistoryConfig history;
+  MqttConfig mqtt;
 
   /// The model's segmentation settings with the file's overrides.
   /// @throws std::runtime_error naming file and line if they do not fit together.

@@ -59,7 +59,7 @@ int ServiceProgram::Run(int argc, const char* const* argv,
     lcm::LCM lcm(url);
     if (!lcm.good()) throw std::runtime_error(NoLcm(url));
     SetUpLogging(service_);
-    ServiceContext context{std::move(configuration), std::move(options), lcm, stop};
+    ServiceContext context{std::move(configuration), std::move(options), camera_, lcm, stop};
     return body(context);
   });
 }
@@ -78,6 +78,8 @@ void ServiceContext::LogStart() const {
   LogInfo("segmentation over the defaults: " + ConfigText(config.SegmentationOver({})));
   LogInfo("classification: " + ConfigText(config.classification));
   LogInfo("alarm: " + ConfigText(config.alarm));
+  LogInfo("history: " + ConfigText(config.history));
+  LogInfo("mqtt: " + ConfigText(config.mqtt));
   const std::string warning =
       ReceiveBufferWarning(config.service.lcm_url, SystemReceiveBufferLimit());
   if (!warning.empty()) LogWarning(warning);

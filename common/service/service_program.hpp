@@ -18,6 +18,7 @@ namespace fallen {
 struct ServiceContext {
   Configuration configuration;  ///< with the command line's overrides
   StageOptions options;
+  std::string chosen_camera;  ///< that of --camera; empty: not given
   lcm::LCM& lcm;
   StopSignal& stop;
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::chrono::seconds kStatusInterval{1};
 constexpr double kTailShare = 0.99;
+// Names come from messages: more than these are not kept apart, and not counted.
+constexpr std::size_t kMaxCameras = 64;
 
 std::string StateName(ServiceState state) {
   switch (state) {
@@ -52,14 +54,18 @@ ServiceReporter::ServiceReporter(lcm::LCM& lcm, const std::string& service,
   counts_.header.sensor_name = camera;
 }
 
-void ServiceReporter::CountReceived(std::int64_t utime, std::int64_t seq) {
+void ServiceReporter::CountReceived(std::int64_t utime, std::int64_t seq,
+                                    const std::string& camera) {
   const std::lock_guard lock(mutex_);
   ++counts_.received;
   counts_.header.utime = utime;
-  const std::int64_t missing_before = gaps_.missing();
-  gaps_.Add(seq);
+  if (!gaps_.contains(camera) && gaps_.size() >= kMaxCameras) return;
+  SequenceGaps& gaps = gaps_[camera];
+  const std::int64_t missing_before = gaps.missing();
+  gaps.Add(seq);
+  missing_ += gaps.missing() - missing_before;
   // A damaged message leaves a gap in seq as well, but it did arrive.
-  const std::int64_t gap = std::max<std::int64_t>(gaps_.missing() - missing_before, 0);
+  const std::int64_t gap = std::max<std::int64_t>(gaps.missing() - missing_before, 0);
   damaged_in_gaps_ += std::min(gap, damaged_since_received_);
   damaged_since_received_ = 0;
 }
@@ -126,7 +132,7 @@ service_status_t ServiceReporter::Status() const {
   status.text = text_;
   if (!newest_damage_.empty())
     status.text += (text_.empty() ? "dropped: " : "; dropped: ") + newest_damage_;
-  status.lost_upstream = gaps_.missing() - damaged_in_gaps_;
+  status.lost_upstream = missing_ - damaged_in_gaps_;
   status.rate_hz = timing_.RateHz(Clock::now());
   status.median_ms = timing_.Quantile(0.5);
   status.p99_ms = timing_.Quantile(kTailShare);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <lcm/lcm-cpp.hpp>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -39,7 +40,8 @@ class ServiceReporter {
   ServiceReporter(lcm::LCM& lcm, const std::string& service, const std::string& camera);
 
   /// An input frame that could be decoded.
-  void CountReceived(std::int64_t utime, std::int64_t seq);
+  /// @param camera  Whose: each counts its own frames.
+  void CountReceived(std::int64_t utime, std::int64_t seq, const std::string& camera = {});
   /// An input that could not be used, and why.
   void CountDamaged(const std::string& reason);
   /// The same for a frame that could not even be decoded: its seq is missing, but it is not lost.
@@ -81,7 +83,8 @@ class ServiceReporter {
   bool is_newest_damaged_ = false;
   std::int64_t damaged_since_received_ = 0;
   std::int64_t damaged_in_gaps_ = 0;
-  SequenceGaps gaps_;
+  std::map<std::string, SequenceGaps> gaps_;  // by camera
+  std::int64_t missing_ = 0;
   TimingWindow timing_;
   RepeatedWarnings warnings_;
   Clock::time_point next_status_{};

@@ -129,7 +129,12 @@ void StageLoop::Drain(const std::function<bool()>& stop_arrived) {
 int StageLoop::Run(const std::function<bool()>& stop_arrived) {
   std::thread worker([this] { WorkUntilClosed(); });
   int exit_status = 0;
+  auto next_second = std::chrono::steady_clock::now();
   while (!stop_arrived()) {
+    if (on_every_second_ && std::chrono::steady_clock::now() >= next_second) {
+      next_second += std::chrono::seconds(1);
+      Post(on_every_second_);
+    }
     const auto until_status = reporter_.PublishStatusIfDue();
     const auto timeout = std::min(until_status, kPollInterval);
     if (lcm_.handleTimeout(static_cast<int>(timeout.count())) >= 0) continue;

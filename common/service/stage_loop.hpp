@@ -61,7 +61,8 @@ class StageLoop {
       std::string error;
       auto message = Decode<In>(channel, bytes, error);
       if (!message) return reporter_.CountDamagedFrame(error);
-      reporter_.CountReceived(message->header.utime, message->header.seq);
+      reporter_.CountReceived(message->header.utime, message->header.seq,
+                              message->header.sensor_name);
       if (!options_.worker.Takes(message->header.seq)) return reporter_.CountSkipped();
       Queue({[message, handle] { handle(*message); }, bytes.size(), true});
     });
@@ -77,6 +78,13 @@ class StageLoop {
       Queue({[message, handle] { handle(*message); }, bytes.size(), false});
     });
   }
+
+  /// Has `work` done in the worker, in its place between the messages: for what comes from
+  /// elsewhere. Thread-safe.
+  void Post(std::function<void()> work) { Queue({std::move(work), 0, false}); }
+
+  /// Calls `handle` in the worker once a second while the loop runs.
+  void OnEverySecond(std::function<void()> handle) { on_every_second_ = std::move(handle); }
 
   /// Calls `handle` in the worker once after nothing has come for a while, and at the end.
   void OnIdle(std::function<void()> handle) { on_idle_ = std::move(handle); }
@@ -140,6 +148,7 @@ class StageLoop {
   TaskQueue queue_;
   std::vector<std::unique_ptr<Subscriber>> subscribers_;
   std::function<void()> on_idle_;
+  std::function<void()> on_every_second_;
   std::chrono::steady_clock::time_point result_begin_;
 };
 

@@ -52,6 +52,8 @@ TEST(ShippedConfiguration, DefaultYamlListsEveryKeyWithItsDefault) {
   ExpectDefaults<BackgroundConfig>(root, "background");
   ExpectDefaults<ClassificationConfig>(root, "classification");
   ExpectDefaults<AlarmConfig>(root, "alarm");
+  ExpectDefaults<HistoryConfig>(root, "history");
+  ExpectDefaults<MqttConfig>(root, "mqtt");
 }
 
 TEST(ShippedConfiguration, DefaultYamlListsEverySegmentationKeyAsTheModels) {
