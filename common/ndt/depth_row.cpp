@@ -46,6 +46,11 @@ template <int kLanes>
   const Ints wanted = (units >= g.min_depth) & (units <= g.max_depth) & (units > 0) &
                       (sq_distance <= g.sq_extent) & (height >= clearance) &
                       (height <= g.max_height_m);
+  if (!AnyOf(wanted)) {
+    const Ints none = Ints{} + kNoPoint;
+    Store(none, points.voxel_x + u);
+    return;
+  }
   const Floats zero = {};
   x = wanted ? x : zero;  // so that no voxel index overflows
   y = wanted ? y : zero;

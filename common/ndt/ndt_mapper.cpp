@@ -114,11 +114,13 @@ struct RowBuffers {
   std::vector<float> column_x, column_y, column_z;  // directions of the rays, column part
   std::vector<std::int32_t> voxel_x, voxel_y, voxel_z;
   std::vector<float> x, y, z;
+  std::vector<std::int32_t> above;  // position of the voxel of the pixel above, if it has one
 
   void Resize(std::size_t image_width) {
     const std::size_t width = (image_width + kRowPadding - 1) / kRowPadding * kRowPadding;
     for (auto* floats : {&column_x, &column_y, &column_z, &x, &y, &z}) floats->resize(width);
     for (auto* indices : {&voxel_x, &voxel_y, &voxel_z}) indices->resize(width);
+    above.assign(width, -1);
   }
 };
 
@@ -153,7 +155,7 @@ struct NdtMapper::State {
 };
 
 // From pixels to sums in voxels. Neighbouring pixels mostly fall into one voxel: their sums are
-// made in registers, and the voxel is looked up once a run.
+// made in registers, and the voxel is looked up once a run, where the pixel above was first.
 void NdtMapper::State::AddPoints(const DepthImage& image, const CameraInGrid& camera,
                                  const HeightLimits& limits, bool ground_known) {
   const CameraIntrinsics& pinhole = image.intrinsics;
@@ -203,13 +205,17 @@ void NdtMapper::State::AddPoints(const DepthImage& image, const CameraInGrid& ca
         ++u;
         continue;
       }
+      const int begin = u;
       PointSums<float> run;
       for (; u < pinhole.width && rows.voxel_x[u] == local.x && rows.voxel_y[u] == local.y &&
              rows.voxel_z[u] == local.z;
            ++u)
         run.Add(rows.x[u], rows.y[u], rows.z[u]);
-      Voxel& voxel = store.FindOrAdd(
-          {camera.voxel.x + local.x, camera.voxel.y + local.y, camera.voxel.z + local.z});
+      const std::int32_t position = store.FindOrAdd(
+          {camera.voxel.x + local.x, camera.voxel.y + local.y, camera.voxel.z + local.z},
+          rows.above[begin]);
+      std::fill(rows.above.begin() + begin, rows.above.begin() + u, position);
+      Voxel& voxel = store.voxels()[position];
       voxel.incoming.Add(run);
       voxel.may_hold_floor |= !ground_known;
     }
@@ -220,6 +226,10 @@ void NdtMapper::State::AddPoints(const DepthImage& image, const CameraInGrid& ca
 bool NdtMapper::State::IsForgotten(Voxel& voxel, const DepthImage& image,
                                    const CameraInGrid& camera, const HeightLimits& limits,
                                    bool ground_known) const {
+  // With that many hits the rays that went through cannot outweigh them.
+  const bool is_surely_hit = voxel.incoming.count >= kRaysPerVoxel;
+  // Points of this frame are neither out of reach nor, where it is known, the floor's.
+  if (is_surely_hit && voxel.moments.count == voxel.incoming.count) return false;
   const Eigen::Vector3d mean_from_camera = camera.MeanFromCamera(voxel);
   const double sq_distance = HorizontalExtent() ? mean_from_camera.head<2>().squaredNorm()
                                                 : mean_from_camera.squaredNorm();
@@ -231,8 +241,7 @@ bool NdtMapper::State::IsForgotten(Voxel& voxel, const DepthImage& image,
         limits.clearance_m + limits.clearance_per_sq_m * mean_camera.z() * mean_camera.z();
     if (limits.HeightOf(mean_from_camera) < clearance) return true;
   }
-  // With that many hits the rays that went through cannot outweigh them.
-  if (voxel.incoming.count >= kRaysPerVoxel) return false;
+  if (is_surely_hit) return false;
   if (voxel.moments.count < config.min_points) {
     if (voxel.incoming.count > 0) return false;
     const Eigen::Vector3d center =

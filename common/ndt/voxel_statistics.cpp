@@ -14,17 +14,16 @@ SymmetricMatrix3 OuterProduct(const std::array<double, 3>& v) {
   return {v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
 }
 
-double Determinant(const SymmetricMatrix3& m) {
-  return m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) +
-         m[2] * (m[1] * m[4] - m[3] * m[2]);
-}
-
-// A quick bound, true for most cells. The product of the two larger eigenvalues is at most
-// (trace / 2)^2, and the largest is at most the trace.
+// A quick bound, true for most cells: the trace is at least the largest eigenvalue, and the
+// smallest is above what must be if the matrix less that much of the identity is positive definite,
+// which its leading minors tell (Sylvester).
 bool SurelyAbove(const SymmetricMatrix3& m, double ratio) {
-  const double trace = m[0] + m[3] + m[5];
-  const double least_smallest = 4 * Determinant(m) / (trace * trace);
-  return least_smallest > ratio * trace && least_smallest > kMinVariance;
+  const double least = std::max(ratio * (m[0] + m[3] + m[5]), kMinVariance);
+  const double xx = m[0] - least, yy = m[3] - least, zz = m[5] - least;
+  const double minor = xx * yy - m[1] * m[1];
+  const double determinant =
+      minor * zz - xx * m[4] * m[4] - yy * m[2] * m[2] + 2 * m[1] * m[2] * m[4];
+  return xx > 0 && minor > 0 && determinant > 0;
 }
 
 }  // namespace

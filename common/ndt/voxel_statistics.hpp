@@ -60,8 +60,8 @@ Moments Merge(const Moments& a, const Moments& b);
 /// come keep their weight, so that the map forgets. [Einhorn15]
 void LimitCount(Moments& moments, double max_count);
 
-/// Least ratio of a cell's eigenvalues at which its covariance stays positive definite when it is stored
-/// in single precision: some 16 steps of a float.
+/// Least ratio of a cell's eigenvalues at which its covariance stays positive definite when it is
+/// stored in single precision: some 16 steps of a float.
 inline constexpr double kLeastEigenvalueRatio = 1e-6;
 
 /// Raises eigenvalues below `ratio` times the largest to that, and all to at least (30 um)^2: the

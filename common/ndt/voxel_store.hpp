@@ -34,6 +34,14 @@ class VoxelStore {
   /// The voxel at `index`, made if need be. The reference holds until the next call.
   Voxel& FindOrAdd(const VoxelIndex& index);
 
+  /// Position in `voxels()` of the voxel at `index`, made if need be. `guess` is looked at first:
+  /// any number, best the position of a voxel that was met nearby.
+  std::int32_t FindOrAdd(const VoxelIndex& index, std::int32_t guess) {
+    if (static_cast<std::size_t>(guess) < voxels_.size() && voxels_[guess].index == index)
+      return guess;
+    return static_cast<std::int32_t>(&FindOrAdd(index) - voxels_.data());
+  }
+
   /// Removes the voxels for which `is_gone` is true; the others keep their order.
   template <class Predicate>
   void RemoveIf(Predicate&& is_gone) {

@@ -159,6 +159,21 @@ BenchSequence RenderSequence(int width, int height, std::size_t frame_count) {
   return {std::move(frames), "ray-cast room"};
 }
 
+BenchSequence WithMounting(const BenchSequence& sequence, const GroundConfig& config) {
+  const GroundEstimate ground =
+      EstimateGround(sequence[0].image, sequence[0].T_robot_camera, config);
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    Frame frame = sequence[i];
+    if (!frame.T_robot_camera && ground.ok())
+      frame.T_robot_camera = LevelFrameFromGround(ground.plane);
+    if (!frame.T_world_robot && frame.T_robot_camera)
+      frame.T_world_robot = Eigen::Isometry3d::Identity();
+    frames.push_back(std::move(frame));
+  }
+  return {std::move(frames), sequence.source()};
+}
+
 BenchSequence HalfSize(const BenchSequence& sequence) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < sequence.size(); ++i) {

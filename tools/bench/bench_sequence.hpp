@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fallen/detection/frame.hpp"
+#include "fallen/geometry/ground_plane.hpp"
 
 namespace fallen {
 
@@ -52,6 +53,11 @@ BenchSequence ReadSequence(const std::filesystem::path& log, const std::string& 
 /// A robot driving half a metre into a furnished room with somebody on the floor, ray-cast with the
 /// noise of a PrimeSense sensor.
 BenchSequence RenderSequence(int width, int height, std::size_t frame_count);
+
+/// The same frames as from a camera whose mounting is known, on a robot whose pose is: where a
+/// frame says nothing of them, the floor of the first frame is the mounting, and the robot stands
+/// still. Frames stay as they are where that has no floor.
+BenchSequence WithMounting(const BenchSequence& sequence, const GroundConfig& config);
 
 /// Every second pixel of every second row.
 BenchSequence HalfSize(const BenchSequence& sequence);

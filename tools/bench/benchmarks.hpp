@@ -9,11 +9,21 @@
 
 namespace fallen {
 
-/// Registers Detect, the stages Ground*, Ndt and Iron, on `sequence`, at the configuration of
-/// `options`. Without a model Detect is skipped and says so, unless `options` names one.
+/// Registers Detect, DetectAccumulating, DetectAsConfigured, the stages Ground*, Ndt and Iron, on
+/// `sequence`, at the configuration of `options`. Without a model the first three are skipped and
+/// say so, unless `options` names one.
+///
+/// Detect knows the mounting and makes a fresh map of every frame; DetectAccumulating adds
+/// accumulation, occupancy and background subtraction against what the first frame saw.
 /// @throws std::runtime_error if a file that `options` names is missing, damaged or does not fit.
 void RegisterStageBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
                              const DetectorOptions& options);
+
+/// Registers the plain ways of the kernels beside them: IronKdTree (FLANN's radius search and
+/// arccosines, beside Iron), BoostedTrees and PlainTreeWalker (one row and one node after the
+/// other) on the features of all described cells. The trees are skipped without a model.
+void RegisterPeerBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
+                            const DetectorOptions& options);
 
 /// Registers what PCL offers for comparison on the clouds of the same frames: PclVoxelGrid,
 /// PclVoxelGridCovariance (its NDT) and PclSacSegmentation. The clouds are made beforehand.

@@ -3,8 +3,15 @@
 #include "lap_times.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 namespace fallen {
+
+double LapTimes::Now() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
 
 double LapTimes::Quantile(double share) const {
   if (milliseconds_.empty()) return 0;

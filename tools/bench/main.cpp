@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     for (fallen::BenchSequence& chosen : fallen::ChooseSequences(recording, camera, max_frames)) {
       const auto sequence = std::make_shared<fallen::BenchSequence>(std::move(chosen));
       fallen::RegisterStageBenchmarks(sequence, options);
+      fallen::RegisterPeerBenchmarks(sequence, options);
       fallen::RegisterPclBenchmarks(sequence);
     }
     benchmark::RunSpecifiedBenchmarks();

@@ -7,7 +7,7 @@
 
 #include "benchmarks.hpp"
 #include "fallen/detection/map_update.hpp"
-#include "fallen/iron/iron_descriptor.hpp"
+#include "fallen/iron/iron_describer.hpp"
 #include "fallen/service/configuration.hpp"
 #include "lap_times.hpp"
 
@@ -33,8 +33,7 @@ void Register(const std::string& name, const BenchSequence& sequence,
       ->Unit(benchmark::kMillisecond);
 }
 
-void RunDetect(benchmark::State& state, BenchSequence& sequence, const DetectorOptions& options) {
-  Detector detector = MakeDetector(options);
+void RunDetect(benchmark::State& state, BenchSequence& sequence, Detector detector) {
   std::size_t step = 0;
   while (step < WarmUpSteps(sequence)) detector.Detect(sequence.At(step++));
   LapTimes laps, ground, ndt, background, iron, cells, clusters, map_size;
@@ -60,6 +59,27 @@ void RunDetect(benchmark::State& state, BenchSequence& sequence, const DetectorO
   state.counters["cells_ms"] = cells.Median();
   state.counters["clusters_ms"] = clusters.Median();
   state.counters["map_cells"] = map_size.Median();
+}
+
+// Mounting known, a fresh map every frame.
+Detector SingleFrameDetector(const DetectorOptions& options) {
+  DetectorParts parts = LoadDetectorParts(options);
+  parts.config.ground.method = GroundMethod::kMounting;
+  parts.config.ndt.accumulate = false;
+  return Detector(std::move(parts.model), parts.config, std::move(parts.background));
+}
+
+// Mounting known, accumulating; what `first` shows is known background.
+Detector AccumulatingDetector(const DetectorOptions& options, const Frame& first) {
+  DetectorParts parts = LoadDetectorParts(options);
+  parts.config.ground.method = GroundMethod::kMounting;
+  parts.config.ndt.accumulate = true;
+  NdtMapper mapper(parts.config.ndt);
+  EnvironmentMap environment;
+  environment.cell_size_m = parts.config.ndt.cell_size_m;
+  environment.cells = UpdateMap(mapper, first, parts.config.ground).cells;
+  return Detector(std::move(parts.model), parts.config,
+                  BackgroundSubtractor(environment, parts.config.background));
 }
 
 void RunGround(benchmark::State& state, const BenchSequence& sequence, GroundConfig config,
@@ -112,12 +132,14 @@ void RunIron(benchmark::State& state, BenchSequence& sequence, const GroundConfi
     maps.push_back(UpdateMap(mapper, sequence.At(step), ground).cells);
   maps.erase(maps.begin(), maps.end() - static_cast<std::ptrdiff_t>(sequence.size()));
   LapTimes laps, map_size;
+  IronDescriber describer;
+  std::vector<CellNormal> normals;
   std::size_t step = 0;
   for (auto _ : state) {
     const std::vector<NdtCell>& cells = maps[step++ % maps.size()];
     laps.Start();
-    const std::vector<CellNormal> normals = ComputeNormals(cells);
-    benchmark::DoNotOptimize(ComputeIronDescriptors(cells, normals));
+    ComputeNormals(cells, describer.config(), normals);
+    benchmark::DoNotOptimize(describer.Describe(cells, normals).neighbor_counts.data());
     laps.Stop();
     map_size.Add(static_cast<double>(cells.size()));
   }
@@ -141,11 +163,19 @@ std::string WhyNoDetector(const DetectorOptions& options) {
 void RegisterStageBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
                              const DetectorOptions& options) {
   const std::string why_no_detector = WhyNoDetector(options);
-  Register("Detect", *sequence, [=](benchmark::State& state) {
-    if (!why_no_detector.empty()) return state.SkipWithError(why_no_detector.c_str());
-    RunDetect(state, *sequence, options);
-  });
   const Configuration config = LoadConfiguration(options.config);
+  const auto mounted = std::make_shared<BenchSequence>(WithMounting(*sequence, config.ground));
+  const auto register_detect = [&](const char* name, const std::shared_ptr<BenchSequence>& frames,
+                                   const std::function<Detector()>& make_detector) {
+    Register(name, *frames, [=](benchmark::State& state) {
+      if (!why_no_detector.empty()) return state.SkipWithError(why_no_detector.c_str());
+      RunDetect(state, *frames, make_detector());
+    });
+  };
+  register_detect("Detect", mounted, [=] { return SingleFrameDetector(options); });
+  register_detect("DetectAccumulating", mounted,
+                  [=] { return AccumulatingDetector(options, (*mounted)[0]); });
+  register_detect("DetectAsConfigured", sequence, [=] { return MakeDetector(options); });
   const auto register_ground = [&](const char* name, GroundMethod method) {
     Register(name, *sequence, [=, ground = config.ground](benchmark::State& state) {
       RunGround(state, *sequence, ground, method);

@@ -18,16 +18,21 @@ void AddDetectorOptions(CLI::App& parser, DetectorOptions& options) {
                     "Environment map; default: the configuration's, else everything is foreground");
 }
 
-Detector MakeDetector(const DetectorOptions& options) {
+DetectorParts LoadDetectorParts(const DetectorOptions& options) {
   const Configuration file = LoadConfiguration(options.config);
-  Model model = LoadModelFor(file, options.model);
-  DetectorConfig config;
-  config.ground = file.ground;
-  config.ndt = file.ndt;
-  config.background = file.background;
-  config.segmentation = file.SegmentationOver(model.segmentation);
-  config.classification = file.classification;
-  return Detector(std::move(model), config, LoadBackgroundFor(file, options.environment_map));
+  DetectorParts parts{
+      LoadModelFor(file, options.model), {}, LoadBackgroundFor(file, options.environment_map)};
+  parts.config.ground = file.ground;
+  parts.config.ndt = file.ndt;
+  parts.config.background = file.background;
+  parts.config.segmentation = file.SegmentationOver(parts.model.segmentation);
+  parts.config.classification = file.classification;
+  return parts;
+}
+
+Detector MakeDetector(const DetectorOptions& options) {
+  DetectorParts parts = LoadDetectorParts(options);
+  return Detector(std::move(parts.model), parts.config, std::move(parts.background));
 }
 
 }  // namespace fallen

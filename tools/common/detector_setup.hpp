@@ -24,6 +24,17 @@ struct DetectorOptions {
 /// Adds --config, --model and --map.
 void AddDetectorOptions(CLI::App& parser, DetectorOptions& options);
 
+/// What a detector is made of.
+struct DetectorParts {
+  Model model;
+  DetectorConfig config;
+  BackgroundSubtractor background;
+};
+
+/// Loads the parts of a configuration's detector.
+/// @throws std::runtime_error naming the file that is missing, damaged or does not fit.
+DetectorParts LoadDetectorParts(const DetectorOptions& options);
+
 /// Makes the detector of a configuration, as the services are set up by it.
 /// @throws std::runtime_error naming the file that is missing, damaged or does not fit.
 Detector MakeDetector(const DetectorOptions& options);

@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 
+#include <optional>
 #include <stdexcept>
 
+#include "tests/support/simd_levels.hpp"
 #include "tests/tools/common/lying_scene.hpp"
 #include "tests/tools/common/plain_model.hpp"
 
@@ -69,6 +71,22 @@ TEST(Detector, GivesTheSameDecisionsForTheSameFrames) {
     EXPECT_EQ(a.segmented.cells, b.segmented.cells);
     EXPECT_EQ(a.decision, b.decision);
   }
+}
+
+TEST(Detector, GivesTheSameBitsAtEverySimdLevel) {
+  std::optional<FrameResult> portable;
+  test::AtEverySimdLevel([&](SimdLevel level) {
+    Detector detector = PlainDetector(BelowTheWall());
+    detector.Detect(Render(0, 0, With::kPerson));
+    const FrameResult result = detector.Detect(Render(100000, 0.02, With::kPerson));
+    if (level == SimdLevel::kPortable) portable = result;
+    ASSERT_FALSE(result.segmented.clusters.empty());
+    EXPECT_EQ(result.foreground.map.cells, portable->foreground.map.cells);
+    EXPECT_EQ(result.segmented.cells, portable->segmented.cells);
+    EXPECT_EQ(result.segmented.clusters[0].descriptors,
+              portable->segmented.clusters[0].descriptors);
+    EXPECT_EQ(result.decision, portable->decision);
+  });
 }
 
 TEST(Detector, StagesComposedByHandGiveTheSameDecision) {
