@@ -4,18 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <flann/flann.hpp>
+#include <limits>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "fallen/iron/neighbor_grid.hpp"
+
 namespace fallen {
 namespace {
 
-constexpr std::size_t kDimension = 3;
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);  // FLANN's index of nothing found
+constexpr std::int32_t kNone = -1;     // index of nothing found
+constexpr float kMinBucket_m = 0.05F;  // of the search grid, for thresholds near zero
 
 [[noreturn]] void Fail(const std::string& what) {
   throw std::invalid_argument("background_subtraction: " + what);
@@ -49,16 +50,18 @@ double Threshold(const BackgroundConfig& config, const Eigen::Vector3f& normal_e
          config.static_threshold_m;
 }
 
-std::vector<float> Coordinates(const std::vector<NdtCell>& cells) {
-  std::vector<float> coordinates;
-  coordinates.reserve(kDimension * cells.size());
-  for (const NdtCell& cell : cells)
-    coordinates.insert(coordinates.end(), cell.mean.begin(), cell.mean.end());
-  return coordinates;
-}
+// A cell that has an environment cell near.
+struct Match {
+  std::size_t cell;
+  std::int32_t nearest;
+  double distance_m;
+};
 
-flann::Matrix<float> Rows(std::vector<float>& coordinates) {
-  return {coordinates.data(), coordinates.size() / kDimension, kDimension};
+std::vector<Eigen::Vector3f> MeansOf(const std::vector<NdtCell>& cells) {
+  std::vector<Eigen::Vector3f> means;
+  means.reserve(cells.size());
+  for (const NdtCell& cell : cells) means.push_back(cell.mean);
+  return means;
 }
 
 }  // namespace
@@ -68,41 +71,38 @@ void BackgroundConfig::Validate() const {
   CheckThreshold("dynamic_threshold_m", dynamic_threshold_m);
 }
 
+// The environment's cells in a grid: a search looks at the few buckets around a place, however
+// large the map is.
 struct BackgroundSubtractor::Index {
-  using Tree = flann::KDTreeSingleIndex<flann::L2_Simple<float>>;  // exact, and the same every time
-
-  struct Neighbors {
-    std::vector<std::size_t> indices;  // of the nearest environment cell, or kNone
-    std::vector<float> sq_distances;
+  struct Neighbor {
+    std::int32_t index = kNone;  // of the nearest environment cell
+    float sq_distance = std::numeric_limits<float>::infinity();
   };
 
-  explicit Index(const EnvironmentMap& environment)
-      : cell_size_m(environment.cell_size_m), coordinates(Coordinates(environment.cells)) {
-    if (environment.cells.empty()) return;  // FLANN does not take an empty set
+  Index(const EnvironmentMap& environment, const BackgroundConfig& config)
+      : cell_size_m(environment.cell_size_m),
+        radius_m(static_cast<float>(config.static_threshold_m + config.dynamic_threshold_m)),
+        grid(MeansOf(environment.cells), std::max(radius_m, kMinBucket_m)) {
+    normals.reserve(environment.cells.size());
     for (const CellNormal& cell_normal : ComputeNormals(environment.cells))
       normals.push_back(cell_normal.normal);
-    tree.emplace(Rows(coordinates));
-    tree->buildIndex();
   }
 
-  Neighbors NearestWithin(const std::vector<NdtCell>& cells, double radius_m) const {
-    Neighbors nearest{std::vector<std::size_t>(cells.size(), kNone),
-                      std::vector<float>(cells.size())};
-    if (!tree || cells.empty()) return nearest;
-    std::vector<float> queries = Coordinates(cells);
-    flann::Matrix<std::size_t> indices(nearest.indices.data(), cells.size(), 1);
-    flann::Matrix<float> sq_distances(nearest.sq_distances.data(), cells.size(), 1);
-    flann::SearchParams parameters;
-    parameters.max_neighbors = 1;  // a radius for FLANN to prune by, and of these only the nearest
-    tree->radiusSearch(Rows(queries), indices, sq_distances,
-                       static_cast<float>(radius_m * radius_m), parameters);
+  // The nearest within the radius; of several as near, the one of the smallest index.
+  Neighbor NearestTo(const Eigen::Vector3f& place) const {
+    Neighbor nearest;
+    grid.ForEachWithin(place, radius_m, [&](std::int32_t index, float sq_distance) {
+      if (sq_distance > nearest.sq_distance) return;
+      if (sq_distance == nearest.sq_distance && index > nearest.index) return;
+      nearest = {index, sq_distance};
+    });
     return nearest;
   }
 
   double cell_size_m;
-  std::vector<float> coordinates;  // the tree points into it
+  float radius_m;
+  NeighborGrid grid;
   std::vector<Eigen::Vector3f> normals;
-  std::optional<Tree> tree;
 };
 
 BackgroundSubtractor::BackgroundSubtractor(const BackgroundConfig& config) : config_(config) {
@@ -114,7 +114,7 @@ BackgroundSubtractor::BackgroundSubtractor(const EnvironmentMap& environment,
     : config_(config) {
   config_.Validate();
   CheckEnvironment(environment);
-  index_ = std::make_unique<Index>(environment);
+  index_ = std::make_unique<Index>(environment, config_);
 }
 
 BackgroundSubtractor::~BackgroundSubtractor() = default;
@@ -142,18 +142,26 @@ ForegroundMap BackgroundSubtractor::Subtract(NdtMap map) const {
   }
 
   foreground.status = BackgroundStatus::kSubtracted;
-  const Index::Neighbors nearest =
-      index_->NearestWithin(cells, config_.static_threshold_m + config_.dynamic_threshold_m);
+  // Normals decide only between the smallest and the largest threshold.
+  std::vector<Match> open;
+  std::vector<NdtCell> open_cells;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (nearest.indices[i] == kNone) continue;
-    const double distance = std::sqrt(static_cast<double>(nearest.sq_distances[i]));
-    // Normals decide only between the smallest and the largest threshold.
-    const bool is_background =
-        distance < config_.static_threshold_m ||
-        distance < Threshold(config_, index_->normals[nearest.indices[i]],
-                             ComputeNormals(std::span(&cells[i], 1)).front().normal);
-    foreground.is_foreground[i] = !is_background;
+    if (!cells[i].mean.allFinite()) continue;
+    const Index::Neighbor nearest = index_->NearestTo(cells[i].mean);
+    if (nearest.index == kNone) continue;
+    const double distance_m = std::sqrt(static_cast<double>(nearest.sq_distance));
+    if (distance_m < config_.static_threshold_m) {
+      foreground.is_foreground[i] = 0;
+      continue;
+    }
+    open.push_back({i, nearest.index, distance_m});
+    open_cells.push_back(cells[i]);
   }
+  const std::vector<CellNormal> normals = ComputeNormals(open_cells);
+  for (std::size_t k = 0; k < open.size(); ++k)
+    foreground.is_foreground[open[k].cell] =
+        !(open[k].distance_m <
+          Threshold(config_, index_->normals[open[k].nearest], normals[k].normal));
   return foreground;
 }
 
