@@ -18,7 +18,10 @@ install_packages() {
   mapfile -t wanted < <(grep -v '^#' "$repository/tools/packages.txt"; printf '%s\n' "$@")
   for package in "${wanted[@]}"; do
     [ -z "$package" ] && continue
-    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed && continue
+    # Node.js from elsewhere than Debian brings its own npm and cannot stand beside Debian's.
+    [ "$package" = npm ] && command -v npm >/dev/null && continue
+    missing+=("$package")
   done
   if [ ${#missing[@]} -eq 0 ]; then
     say "Packages: all ${#wanted[@]} are there"
@@ -27,6 +30,19 @@ install_packages() {
   say "Packages: installing ${#missing[@]} through apt: ${missing[*]}"
   as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# install_page_modules: three.js, and Playwright for the tests, at the versions of the lock file. Without them
+# all else still works: the page is left out.
+install_page_modules() {
+  local page=$repository/tools/view/page
+  if [ "$page/node_modules/.package-lock.json" -nt "$page/package-lock.json" ]; then
+    say "Page: three.js is there"
+    return
+  fi
+  say "Page: installing three.js through npm"
+  (cd "$page" && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >/dev/null) ||
+    say "Page: npm could not install three.js; going on without the page"
 }
 
 # build_preset <preset> [target...]: configures and builds; the compiler cache makes the second time quick.
