@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 namespace fallen {
@@ -43,6 +44,13 @@ std::string PlotScript(const std::vector<NamedCurve>& curves, const std::filesys
 
 }  // namespace
 
+DetectionErrorTradeoff CurveOf(const std::vector<SequenceOutcome>& sequences) {
+  std::vector<FrameOutcome> frames;
+  for (const SequenceOutcome& sequence : sequences)
+    frames.insert(frames.end(), sequence.frames.begin(), sequence.frames.end());
+  return ComputeTradeoff(frames);
+}
+
 nlohmann::json FiguresJson(const DetectionErrorTradeoff& curve, double min_probability) {
   const OperatingPoint chosen = curve.AtThreshold(min_probability);
   return {{"frames", curve.frames},
@@ -59,6 +67,62 @@ nlohmann::json FiguresJson(const DetectionErrorTradeoff& curve, double min_proba
             {"miss_rate", chosen.miss_rate}}}};
 }
 
+nlohmann::json FiguresJson(const std::vector<SequenceOutcome>& sequences, double min_probability,
+                           const BootstrapConfig& bootstrap) {
+  std::vector<std::vector<FrameOutcome>> outcomes;
+  for (const SequenceOutcome& sequence : sequences) outcomes.push_back(sequence.frames);
+  nlohmann::json figures = FiguresJson(CurveOf(sequences), min_probability);
+  const auto intervals = BootstrapIntervals(
+      outcomes,
+      [&](std::span<const FrameOutcome> frames) {
+        const DetectionErrorTradeoff curve = ComputeTradeoff(frames);
+        const OperatingPoint chosen = curve.AtThreshold(min_probability);
+        return std::vector<double>{curve.MissRateAt(0.01), curve.MissRateAt(0.1),
+                                   curve.LogAverageMissRate(), chosen.miss_rate,
+                                   chosen.false_positives_per_frame};
+      },
+      bootstrap);
+  const auto pair = [&](int i) { return nlohmann::json{intervals[i].low, intervals[i].high}; };
+  figures["intervals"] = {
+      {"confidence", bootstrap.confidence},
+      {"miss_rate_at_0.01_fppf", pair(0)},
+      {"miss_rate_at_0.1_fppf", pair(1)},
+      {"log_average_miss_rate", pair(2)},
+      {"at_default_threshold", {{"miss_rate", pair(3)}, {"false_positives_per_frame", pair(4)}}}};
+  return figures;
+}
+
+nlohmann::json KindsJson(const std::vector<SequenceOutcome>& sequences, double min_probability) {
+  struct Tally {
+    std::int64_t sequences = 0, frames = 0, false_positives = 0, flagged = 0;
+  };
+  std::map<std::string, Tally> tallies;
+  for (const SequenceOutcome& sequence : sequences)
+    for (const std::string& kind : sequence.kinds) {
+      Tally& tally = tallies[kind];
+      ++tally.sequences;
+      tally.frames += static_cast<std::int64_t>(sequence.frames.size());
+      for (const FrameOutcome& frame : sequence.frames) {
+        const auto accepted = std::count_if(frame.false_scores.begin(), frame.false_scores.end(),
+                                            [&](double score) { return score >= min_probability; });
+        tally.false_positives += accepted;
+        tally.flagged += accepted > 0;
+      }
+    }
+  nlohmann::json kinds = nlohmann::json::object();
+  for (const auto& [kind, tally] : tallies) {
+    const auto share = [&](std::int64_t count) {
+      return tally.frames == 0 ? 0.0
+                               : static_cast<double>(count) / static_cast<double>(tally.frames);
+    };
+    kinds[kind] = {{"sequences", tally.sequences},
+                   {"frames", tally.frames},
+                   {"false_positives_per_frame", share(tally.false_positives)},
+                   {"flagged_frames", share(tally.flagged)}};
+  }
+  return kinds;
+}
+
 nlohmann::json SequencesJson(const std::vector<SequenceOutcome>& sequences,
                              double min_probability) {
   nlohmann::json list = nlohmann::json::array();
@@ -67,6 +131,7 @@ nlohmann::json SequencesJson(const std::vector<SequenceOutcome>& sequences,
     entry["log"] = sequence.log;
     entry["person"] = sequence.person;
     entry["room"] = sequence.room;
+    entry["kinds"] = sequence.kinds;
     entry["unjudged_frames"] = sequence.unjudged_frames;
     entry["damaged_messages"] = sequence.damaged_messages;
     entry["median_milliseconds"] = sequence.median_milliseconds;

@@ -19,45 +19,79 @@ namespace {
 using namespace fallen;
 namespace fs = std::filesystem;
 
+/// A detector to measure, and the name of its curve.
+struct Method {
+  std::string name;
+  DetectorOptions detector;
+};
+
 struct Options {
   std::vector<fs::path> logs;
+  std::vector<std::string> compared;  // NAME=MODEL
   DetectorOptions detector;
   std::optional<fs::path> json;
-  std::optional<fs::path> plot;
+  std::vector<fs::path> plots;
+  BootstrapConfig bootstrap;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-std::vector<SequenceOutcome> EvaluateAll(const Options& options) {
-  std::vector<SequenceOutcome> sequences(options.logs.size());
+std::vector<Method> MethodsOf(const Options& options) {
+  std::vector<Method> methods = {{"detector", options.detector}};
+  for (const std::string& text : options.compared) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+      throw std::runtime_error("--compare: got '" + text + "', expected NAME=MODEL");
+    Method method{text.substr(0, equals), options.detector};
+    method.detector.model = text.substr(equals + 1);
+    methods.push_back(std::move(method));
+  }
+  return methods;
+}
+
+/// Outcomes of every method on every log, method by method.
+std::vector<std::vector<SequenceOutcome>> EvaluateAll(const Options& options,
+                                                      const std::vector<Method>& methods) {
+  const std::size_t logs = options.logs.size();
+  std::vector<std::vector<SequenceOutcome>> outcomes(methods.size());
+  for (auto& sequences : outcomes) sequences.resize(logs);
   ProgressBar bar("evaluate");
   std::mutex mutex;
   std::size_t done = 0;
-  ParallelFor(static_cast<int>(options.logs.size()), options.jobs, [&](int i) {
-    sequences[i] = EvaluateSequence(options.logs[i], MakeDetector(options.detector));
+  const std::size_t runs = methods.size() * logs;
+  ParallelFor(static_cast<int>(runs), options.jobs, [&](int i) {
+    const std::size_t method = i / logs, log = i % logs;
+    outcomes[method][log] =
+        EvaluateSequence(options.logs[log], MakeDetector(methods[method].detector));
     const std::lock_guard lock(mutex);
-    bar.Update(static_cast<double>(++done) / static_cast<double>(options.logs.size()));
+    bar.Update(static_cast<double>(++done) / static_cast<double>(runs));
   });
-  return sequences;
+  return outcomes;
+}
+
+void WriteJson(const fs::path& path, const nlohmann::json& json) {
+  std::ofstream file(path);
+  file << json.dump(2) << "\n";
+  if (!file.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 int Evaluate(const Options& options) {
-  const std::vector<SequenceOutcome> sequences = EvaluateAll(options);
-  std::vector<FrameOutcome> frames;
-  for (const SequenceOutcome& sequence : sequences)
-    frames.insert(frames.end(), sequence.frames.begin(), sequence.frames.end());
-  const DetectionErrorTradeoff curve = ComputeTradeoff(frames);
-  const double min_probability = sequences.front().min_probability;
-
-  const nlohmann::json figures = FiguresJson(curve, min_probability);
-  if (options.json) {
-    const nlohmann::json report = {{"detector", figures},
-                                   {"sequences", SequencesJson(sequences, min_probability)}};
-    std::ofstream file(*options.json);
-    file << report.dump(2) << "\n";
-    if (!file.flush()) throw std::runtime_error(options.json->string() + ": cannot be written");
+  const std::vector<Method> methods = MethodsOf(options);
+  const auto outcomes = EvaluateAll(options, methods);
+  nlohmann::json report, shown;
+  std::vector<NamedCurve> curves;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::vector<SequenceOutcome>& sequences = outcomes[m];
+    const double min_probability = sequences.front().min_probability;
+    nlohmann::json figures = FiguresJson(sequences, min_probability, options.bootstrap);
+    figures["kinds"] = KindsJson(sequences, min_probability);
+    shown[methods[m].name] = figures;
+    (m == 0 ? report["detector"] : report["compared"][methods[m].name]) = std::move(figures);
+    if (m == 0) report["sequences"] = SequencesJson(sequences, min_probability);
+    curves.push_back({methods[m].name, CurveOf(sequences)});
   }
-  if (options.plot) PlotCurves({{"detector", curve}}, *options.plot);
-  std::cout << figures.dump(2) << "\n";
+  if (options.json) WriteJson(*options.json, report);
+  for (const fs::path& plot : options.plots) PlotCurves(curves, plot);
+  std::cout << (methods.size() == 1 ? shown["detector"] : shown).dump(2) << "\n";
   return 0;
 }
 
@@ -71,7 +105,21 @@ int main(int argc, char** argv) {
   parser->add_option("LOG", options.logs, "Recordings with ground truth")->required();
   AddDetectorOptions(*parser, options.detector);
   parser->add_option("--json", options.json, "Write figures here, sequence by sequence too");
-  parser->add_option("--plot", options.plot, "Draw miss rate against false positives (.svg, .png)");
+  parser
+      ->add_option("--compare", options.compared,
+                   "NAME=MODEL: measure another model too, on the same frames; repeatable")
+      ->allow_extra_args(false);
+  parser
+      ->add_option("--plot", options.plots,
+                   "Draw miss rate against false positives (.svg, .png), all methods in one "
+                   "picture; repeatable")
+      ->allow_extra_args(false);
+  parser
+      ->add_option("--resamples", options.bootstrap.resamples,
+                   "Resamples of the sequences for the confidence intervals")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  parser->add_option("--seed", options.bootstrap.seed, "Of the resampling")->capture_default_str();
   parser->add_option("--jobs", options.jobs, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 256));
   return RunTool(*parser, argc, argv, [&] { return Evaluate(options); });

@@ -17,6 +17,15 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
+/// Adds what is new in `truth` to the sorted `kinds`.
+void AddKinds(const GroundTruth& truth, std::vector<std::string>& kinds) {
+  for (const LabelledObject& object : truth.objects) {
+    if (object.category == "furniture" || object.category == "fallen_person") continue;
+    const auto place = std::lower_bound(kinds.begin(), kinds.end(), object.category);
+    if (place == kinds.end() || *place != object.category) kinds.insert(place, object.category);
+  }
+}
+
 }  // namespace
 
 SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector detector) {
@@ -25,7 +34,7 @@ SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector de
   std::vector<double> milliseconds;
   bool has_truth = false;
   const std::unique_ptr<FrameSource> recording = OpenFrameSource(input);
-  while (const std::optional<Frame> frame = recording->Next()) {
+  for (std::int64_t number = 0; const std::optional<Frame> frame = recording->Next(); ++number) {
     const FrameResult result = detector.Detect(*frame);
     milliseconds.push_back(result.milliseconds.total);
     sequence.min_probability = result.decision.min_probability;
@@ -34,12 +43,14 @@ SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector de
     has_truth = true;
     if (!truth->person.empty()) sequence.person = truth->person;
     if (!truth->room.empty()) sequence.room = truth->room;
+    AddKinds(*truth, sequence.kinds);
     if (truth->person_box && result.decision.frame != MapFrame::kWorld) {
       ++sequence.unjudged_frames;
       continue;
     }
     const int cells =
         truth->person_box ? CountCellsInBox(result.foreground.map, *truth->person_box) : 0;
+    sequence.frame_numbers.push_back(number);
     sequence.frames.push_back(JudgeFrame(result.decision, truth->person_box, cells));
   }
   if (!has_truth)

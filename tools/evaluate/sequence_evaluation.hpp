@@ -17,7 +17,10 @@ struct SequenceOutcome {
   std::string log;
   std::string person;
   std::string room;
+  /// What is in the scene besides furniture and the fallen person ("dog", "person", ...), sorted.
+  std::vector<std::string> kinds;
   std::vector<FrameOutcome> frames;
+  std::vector<std::int64_t> frame_numbers;  ///< place of each of `frames` in the recording, from 0
   /// Frames with a person somewhere, but no pose that would say where: judged neither way.
   std::int64_t unjudged_frames = 0;
   std::int64_t damaged_messages = 0;

@@ -14,10 +14,17 @@ PersonHypothesis At(double x, double probability) {
   return hypothesis;
 }
 
+Decision InWorld(std::vector<PersonHypothesis> hypotheses) {
+  Decision decision;
+  decision.frame = MapFrame::kWorld;
+  decision.hypotheses = std::move(hypotheses);
+  return decision;
+}
+
 const OrientedBox kBox{{0, 0, 0.2}, {2, 1, 0.4}, 0};
 
 TEST(FrameOutcome, OnlyTheBestHypothesisInTheBoxIsAHit) {
-  const Decision decision{MapFrame::kWorld, 0.5, {At(0.5, 0.6), At(-0.5, 0.8), At(5, 0.7)}};
+  const Decision decision = InWorld({At(0.5, 0.6), At(-0.5, 0.8), At(5, 0.7)});
   const FrameOutcome outcome = JudgeFrame(decision, kBox, 100);
   EXPECT_TRUE(outcome.is_positive);
   EXPECT_EQ(outcome.hit_score, 0.8);
@@ -25,7 +32,7 @@ TEST(FrameOutcome, OnlyTheBestHypothesisInTheBoxIsAHit) {
 }
 
 TEST(FrameOutcome, WithTooFewCellsAHypothesisInTheBoxCountsNeitherWay) {
-  const Decision decision{MapFrame::kWorld, 0.5, {At(0.5, 0.6), At(5, 0.7)}};
+  const Decision decision = InWorld({At(0.5, 0.6), At(5, 0.7)});
   const FrameOutcome outcome = JudgeFrame(decision, kBox, kMinCellsInBox - 1);
   EXPECT_FALSE(outcome.is_positive);
   EXPECT_FALSE(outcome.hit_score);
@@ -33,7 +40,7 @@ TEST(FrameOutcome, WithTooFewCellsAHypothesisInTheBoxCountsNeitherWay) {
 }
 
 TEST(FrameOutcome, WithoutAPersonEveryHypothesisIsFalse) {
-  const Decision decision{MapFrame::kWorld, 0.5, {At(0.5, 0.6)}};
+  const Decision decision = InWorld({At(0.5, 0.6)});
   const FrameOutcome outcome = JudgeFrame(decision, std::nullopt, 500);
   EXPECT_FALSE(outcome.is_positive);
   EXPECT_EQ(outcome.false_scores, std::vector<double>{0.6});
