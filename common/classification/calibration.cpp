@@ -30,12 +30,6 @@ constexpr double kSufficientDecrease = 1e-4;
   throw std::invalid_argument("calibration: " + what);
 }
 
-double LogDistance(double distance) {
-  if (!(distance >= 0) || !std::isfinite(distance))
-    Fail("a distance is " + std::to_string(distance) + ", must be >= 0 and finite");
-  return std::log(std::max(distance, kMinDistance));
-}
-
 double Logistic(double logit) {
   if (logit >= 0) return 1 / (1 + std::exp(-logit));
   const double odds = std::exp(logit);
@@ -90,8 +84,9 @@ Eigen::Vector2d FitLogistic(const std::vector<LogisticSample>& samples,
 
 }  // namespace
 
-double Calibration::Probability(double mahalanobis_distance) const {
-  const double logit = slope * LogDistance(mahalanobis_distance) + intercept;
+double Calibration::Probability(double evidence) const {
+  if (!std::isfinite(evidence)) Fail("the evidence is not finite");
+  const double logit = slope * evidence + intercept;
   return Logistic(std::clamp(logit, kMinLogit, kMaxLogit));
 }
 
@@ -103,8 +98,8 @@ double Calibration::MinProbability(double false_positives_per_frame) const {
 }
 
 void Calibration::Validate() const {
-  if (!(slope < 0) || !std::isfinite(slope))
-    Fail("slope is " + std::to_string(slope) + ", must be < 0 and finite");
+  if (!(slope > 0) || !std::isfinite(slope))
+    Fail("slope is " + std::to_string(slope) + ", must be > 0 and finite");
   if (!std::isfinite(intercept)) Fail("intercept is not finite");
   for (std::size_t i = 0; i < operating_points.size(); ++i) {
     const OperatingPoint& point = operating_points[i];
@@ -125,24 +120,31 @@ void Calibration::Validate() const {
   }
 }
 
-Calibration FitCalibration(std::span<const double> distances,
+double MahalanobisEvidence(double distance) {
+  if (!(distance >= 0) || !std::isfinite(distance))
+    Fail("a distance is " + std::to_string(distance) + ", must be >= 0 and finite");
+  return -std::log(std::max(distance, kMinDistance));
+}
+
+Calibration FitCalibration(std::span<const double> evidence,
                            std::span<const std::uint8_t> is_person) {
-  if (distances.size() != is_person.size())
-    Fail("got " + std::to_string(distances.size()) + " distances and " +
+  if (evidence.size() != is_person.size())
+    Fail("got " + std::to_string(evidence.size()) + " values and " +
          std::to_string(is_person.size()) + " labels");
-  const auto count = static_cast<double>(distances.size());
+  const auto count = static_cast<double>(evidence.size());
   const auto persons = static_cast<double>(std::count_if(
       is_person.begin(), is_person.end(), [](std::uint8_t flag) { return flag != 0; }));
-  if (persons == 0) Fail("no distance is of a person");
-  if (persons == count) Fail("all distances are of persons");
+  if (persons == 0) Fail("no value is of a person");
+  if (persons == count) Fail("all values are of persons");
 
   // [Platt99] Sec. 2.2: as if each class had been seen once more on the other side.
   const double person_target = (persons + 1) / (persons + 2);
   const double other_target = 1 / (count - persons + 2);
   std::vector<LogisticSample> samples;
   double mean = 0;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    samples.push_back({LogDistance(distances[i]), is_person[i] ? person_target : other_target});
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    if (!std::isfinite(evidence[i])) Fail("value " + std::to_string(i) + " is not finite");
+    samples.push_back({evidence[i], is_person[i] ? person_target : other_target});
     mean += samples.back().x / count;
   }
   // Centred and scaled, so that Newton's steps are well conditioned.
@@ -159,9 +161,9 @@ Calibration FitCalibration(std::span<const double> distances,
   Calibration calibration;
   calibration.slope = fitted[0] / scale;
   calibration.intercept = fitted[1] - calibration.slope * mean;
-  if (!(calibration.slope < 0))
-    Fail("persons are not nearer than others: slope is " + std::to_string(calibration.slope) +
-         ", must be < 0");
+  if (!(calibration.slope > 0))
+    Fail("persons have no more evidence than others: slope is " +
+         std::to_string(calibration.slope) + ", must be > 0");
   calibration.Validate();
   return calibration;
 }

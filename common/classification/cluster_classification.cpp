@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fallen/classification/cluster_features.hpp"
 #include "fallen/classification/soft_threshold_encoding.hpp"
 
 namespace fallen {
@@ -14,6 +15,8 @@ namespace {
 
 // Rows of the codebook are unit vectors to about float's precision.
 constexpr float kUnitTolerance = 1e-4F;
+// Least score that trees can give.
+constexpr double kNoFloor = -1;
 
 [[noreturn]] void Fail(const std::string& what) {
   throw std::invalid_argument("cluster_classification: " + what);
@@ -35,9 +38,23 @@ PersonHypothesis Judge(const SegmentedMap& segmented, const CellCluster& cluster
 
   const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
   hypothesis.mahalanobis_distance = model.gaussian.Distance(code);
-  hypothesis.probability = model.calibration.Probability(hypothesis.mahalanobis_distance);
+  hypothesis.probability = model.calibration.Probability(
+      ClusterEvidence(segmented, cluster, hypothesis.box, code, model));
   hypothesis.is_person = hypothesis.probability >= min_probability;
   return hypothesis;
+}
+
+// Drops every hypothesis that lies near a better one.
+std::vector<PersonHypothesis> BestOfEachPlace(const std::vector<PersonHypothesis>& sorted,
+                                              double min_separation_m) {
+  std::vector<PersonHypothesis> kept;
+  for (const PersonHypothesis& candidate : sorted) {
+    const bool is_alone = std::none_of(kept.begin(), kept.end(), [&](const auto& better) {
+      return (better.centroid - candidate.centroid).template head<2>().norm() < min_separation_m;
+    });
+    if (is_alone) kept.push_back(candidate);
+  }
+  return kept;
 }
 
 }  // namespace
@@ -63,12 +80,30 @@ void ClusterModel::Validate() const {
     Fail("the gaussian has " + std::to_string(gaussian.mean().size()) +
          " dimensions, must be the codebook's " + std::to_string(codebook.rows()));
   calibration.Validate();
+  if (trees.roots.empty()) return;
+  trees.Validate();
+  const auto expected = kClusterShapeFeatures + codebook.rows();
+  if (trees.feature_count != expected)
+    Fail("the trees take " + std::to_string(trees.feature_count) + " features, must be " +
+         std::to_string(expected));
 }
 
 void ClassificationConfig::Validate() const {
   if (!(false_positives_per_frame >= 0) || !std::isfinite(false_positives_per_frame))
     Fail("false_positives_per_frame is " + std::to_string(false_positives_per_frame) +
          ", must be >= 0 and finite");
+  if (!(min_separation_m >= 0) || !std::isfinite(min_separation_m))
+    Fail("min_separation_m is " + std::to_string(min_separation_m) + ", must be >= 0 and finite");
+}
+
+double ClusterEvidence(const SegmentedMap& segmented, const CellCluster& cluster,
+                       const OrientedBox& box, const Eigen::VectorXd& code,
+                       const ClusterModel& model) {
+  const double distance = model.gaussian.Distance(code);
+  if (model.trees.roots.empty()) return MahalanobisEvidence(distance);
+  if (!segmented.ground.ok()) return kNoFloor;
+  return PredictScores(model.trees,
+                       ComputeClusterFeatures(segmented, cluster, box, code, distance))[0];
 }
 
 Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
@@ -84,11 +119,11 @@ Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& mod
   decision.min_probability = model.calibration.MinProbability(config.false_positives_per_frame);
   for (const CellCluster& cluster : segmented.clusters)
     decision.hypotheses.push_back(Judge(segmented, cluster, model, decision.min_probability));
-  // By distance: the same order as by probability, without the ties of its rounding near 0 and 1.
   std::stable_sort(decision.hypotheses.begin(), decision.hypotheses.end(),
                    [](const PersonHypothesis& a, const PersonHypothesis& b) {
-                     return a.mahalanobis_distance < b.mahalanobis_distance;
+                     return a.probability > b.probability;
                    });
+  decision.hypotheses = BestOfEachPlace(decision.hypotheses, config.min_separation_m);
   return decision;
 }
 

@@ -18,6 +18,9 @@ struct ClusterModel {
   Codebook codebook;
   double alpha = 0.7;  ///< soft threshold on the cosine
   MahalanobisModel gaussian;
+  /// Judges ComputeClusterFeatures. Without trees the Mahalanobis distance alone decides, as in the
+  /// paper.
+  BoostedTrees trees;
   Calibration calibration;
 
   void Validate() const;
@@ -26,11 +29,16 @@ struct ClusterModel {
 struct ClassificationConfig {
   /// The user's wish: false positives per frame at which the validation set set the threshold.
   double false_positives_per_frame = 0.01;
+  /// Of clusters whose centroids lie nearer to each other along the floor, only the likeliest is
+  /// kept: the others most likely are parts of the same person [m], >= 0. A grown person is 1.5 to
+  /// 2 m long; tuned on simulated validation recordings.
+  double min_separation_m = 1.2;
 
   void Validate() const;
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("false_positives_per_frame", false_positives_per_frame);
+    visit("min_separation_m", min_separation_m);
   }
 };
 
@@ -38,7 +46,7 @@ struct ClassificationConfig {
 struct PersonHypothesis {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the cells' means, map frame [m]
   OrientedBox box;                                     ///< smallest upright box around the cells
-  double probability = 0;                              ///< p(fallen | d)
+  double probability = 0;                              ///< p(fallen | evidence)
   double mahalanobis_distance = 0;
   std::int32_t cell_count = 0;
   double mean_score = 0;   ///< of the cell classifier, [-1, 1]
@@ -47,7 +55,8 @@ struct PersonHypothesis {
   bool operator==(const PersonHypothesis&) const = default;
 };
 
-/// The decision about one frame: every cluster, best first (ties: the order of the clusters).
+/// The decision about one frame: every cluster but those beside a better one, best first (ties: the
+/// order of the clusters).
 struct Decision {
   MapFrame frame = MapFrame::kCamera;
   Eigen::Isometry3d T_map_camera = Eigen::Isometry3d::Identity();
@@ -57,6 +66,15 @@ struct Decision {
 
   bool operator==(const Decision& other) const;
 };
+
+/// How much a cluster looks like a fallen person, as ClusterModel::calibration takes it: the score
+/// of the model's trees, [-1, 1], or MahalanobisEvidence from a model without. A model with trees
+/// gives -1 where no floor is known: nothing can be said to lie on it.
+/// @param code  EncodeCluster of the cluster with the model's codebook.
+/// @param box   FitUprightBox of the cluster.
+double ClusterEvidence(const SegmentedMap& segmented, const CellCluster& cluster,
+                       const OrientedBox& box, const Eigen::VectorXd& code,
+                       const ClusterModel& model);
 
 /// Judges every cluster (the paper, Sec. III-E and III-F).
 /// @throws std::invalid_argument if the descriptors are of another kind than the model's, or the

@@ -15,7 +15,8 @@ const std::string kModel = "model_t";
 // enough.
 constexpr std::int64_t kMaxUnits = 4096;
 
-void TreesToMessage(const BoostedTrees& trees, model_t& message) {
+trees_t TreesToMessage(const BoostedTrees& trees) {
+  trees_t message{};
   message.feature_count = trees.feature_count;
   message.root = trees.roots;
   message.tree_count = static_cast<std::int32_t>(trees.roots.size());
@@ -26,14 +27,14 @@ void TreesToMessage(const BoostedTrees& trees, model_t& message) {
     message.node_left.push_back(node.left);
     message.node_value.push_back(node.value);
   }
+  return message;
 }
 
-BoostedTrees TreesFromMessage(const model_t& message) {
-  checks::Count(kModel + ".tree_count", message.tree_count, message.root.size());
-  checks::Count(kModel + ".node_count", message.node_count, message.node_feature.size());
-  checks::Count(kModel + ".node_count", message.node_count, message.node_threshold.size());
-  checks::Count(kModel + ".node_count", message.node_count, message.node_left.size());
-  checks::Count(kModel + ".node_count", message.node_count, message.node_value.size());
+BoostedTrees TreesFromMessage(const std::string& field, const trees_t& message) {
+  checks::Count(field + ".tree_count", message.tree_count, message.root.size());
+  for (const std::size_t count : {message.node_feature.size(), message.node_threshold.size(),
+                                  message.node_left.size(), message.node_value.size()})
+    checks::Count(field + ".node_count", message.node_count, count);
   BoostedTrees trees;
   trees.feature_count = message.feature_count;
   trees.roots = message.root;
@@ -84,6 +85,7 @@ void ClassifierToMessage(const ClusterModel& model, model_t& message) {
     for (Eigen::Index column = 0; column < units; ++column)
       message.gaussian_covariance.back().push_back(covariance(row, column));
   }
+  message.cluster_trees = TreesToMessage(model.trees);
   message.calibration_slope = model.calibration.slope;
   message.calibration_intercept = model.calibration.intercept;
   for (const auto& point : model.calibration.operating_points) {
@@ -141,6 +143,7 @@ ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iro
       MahalanobisModel(Eigen::Map<const Eigen::VectorXd>(message.gaussian_mean.data(), units),
                        MatrixFromRows<Eigen::MatrixXd>(kModel + ".gaussian_covariance",
                                                        message.gaussian_covariance, units, units));
+  model.trees = TreesFromMessage(kModel + ".cluster_trees", message.cluster_trees);
   model.calibration = CalibrationFromMessage(message);
   return model;
 }
@@ -155,7 +158,7 @@ model_t ToMessage(const Model& model) {
   message.cell_size_m = model.cells.cell_size_m;
   message.iron = IronToMessage(model.cells.iron);
   message.features = static_cast<std::int32_t>(model.cells.features);
-  TreesToMessage(model.cells.trees, message);
+  message.cell_trees = TreesToMessage(model.cells.trees);
   SegmentationToMessage(model.segmentation, message);
   ClassifierToMessage(model.clusters, message);
   return message;
@@ -171,7 +174,7 @@ Model FromMessage(const model_t& message) {
   checks::InRange(kModel + ".features", message.features, 0,
                   static_cast<int>(CellFeatureSet::kIronAndShape));
   model.cells.features = static_cast<CellFeatureSet>(message.features);
-  model.cells.trees = TreesFromMessage(message);
+  model.cells.trees = TreesFromMessage(kModel + ".cell_trees", message.cell_trees);
   model.segmentation = SegmentationFromMessage(message);
   model.clusters = ClassifierFromMessage(message, model.cells.iron);
   model.Validate();  // the rest is the parts' own business

@@ -12,7 +12,7 @@
 namespace fallen {
 namespace {
 
-constexpr ContainerKind kModelFile{"FALLENMD", "a model file", 1};
+constexpr ContainerKind kModelFile{"FALLENMD", "a model file", 2};
 constexpr ContainerKind kEnvironmentMapFile{"FALLENEM", "an environment map file", 1};
 
 [[noreturn]] void Fail(const std::filesystem::path& path, const std::string& what) {

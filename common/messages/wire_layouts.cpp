@@ -157,11 +157,7 @@ constexpr Field kServiceStatusFields[] = {{kStruct, "header", 1, 1, &kHeader},
                                           {kInt64, "resident_bytes"}};
 constexpr Layout kServiceStatus{"service_status_t", kServiceStatusFields};
 
-constexpr Field kModelFields[] = {
-    {kString, "description"},
-    {kDouble, "cell_size_m"},
-    {kStruct, "iron", 1, 1, &kIron},
-    {kInt32, "features"},
+constexpr Field kTreesFields[] = {
     {kInt32, "feature_count"},
     {kInt32, "tree_count"},
     {kInt32, "root", "tree_count"},
@@ -169,7 +165,15 @@ constexpr Field kModelFields[] = {
     {kInt32, "node_feature", "node_count"},
     {kFloat, "node_threshold", "node_count"},
     {kInt32, "node_left", "node_count"},
-    {kFloat, "node_value", "node_count"},
+    {kFloat, "node_value", "node_count"}};
+constexpr Layout kTrees{"trees_t", kTreesFields};
+
+constexpr Field kModelFields[] = {
+    {kString, "description"},
+    {kDouble, "cell_size_m"},
+    {kStruct, "iron", 1, 1, &kIron},
+    {kInt32, "features"},
+    {kStruct, "cell_trees", 1, 1, &kTrees},
     {kDouble, "smoothing_radius_m"},
     {kDouble, "min_score"},
     {kDouble, "max_height_m"},
@@ -183,6 +187,7 @@ constexpr Field kModelFields[] = {
     {kDouble, "alpha"},
     {kDouble, "gaussian_mean", "unit_count"},
     {kDouble, "gaussian_covariance", "unit_count", "unit_count"},
+    {kStruct, "cluster_trees", 1, 1, &kTrees},
     {kDouble, "calibration_slope"},
     {kDouble, "calibration_intercept"},
     {kInt32, "operating_point_count"},

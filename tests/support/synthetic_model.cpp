@@ -45,7 +45,7 @@ Model SyntheticModel(double cell_size_m) {
   model.clusters.gaussian =
       MahalanobisModel(Eigen::VectorXd::Constant(kCodeWords, 0.2),
                        0.01 * Eigen::MatrixXd::Identity(kCodeWords, kCodeWords));
-  model.clusters.calibration.slope = -2;
+  model.clusters.calibration.slope = 2;
   model.clusters.calibration.intercept = 4;
   model.clusters.calibration.operating_points = {{0.1, 0.5, 0.0}, {0.5, 0.01, 0.1}};
   model.Validate();

@@ -16,12 +16,6 @@ namespace {
 // Rates at which the operating points are kept: what a user may ask for.
 constexpr double kRates[] = {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
 
-SegmentedMap Segment(const ObservedFrame& frame, const CellModel& cells,
-                     const TrainingConfig& config) {
-  const ForegroundMap foreground = BackgroundSubtractor().Subtract(frame.map);
-  return SegmentCells(foreground, cells, config.segmentation);
-}
-
 bool IsPerson(const SegmentedMap& segmented, const CellCluster& cluster,
               const std::optional<OrientedBox>& person_box, double min_share) {
   if (!person_box) return false;
@@ -57,7 +51,7 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
   ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
     progress("clusters", static_cast<double>(++done) / static_cast<double>(frames.size()));
     if (!frames[i]->is_positive()) return;
-    const SegmentedMap segmented = Segment(*frames[i], cells, config);
+    const SegmentedMap segmented = SegmentObserved(*frames[i], cells, config);
     for (const CellCluster& cluster : segmented.clusters)
       if (IsPerson(segmented, cluster, frames[i]->person_box, config.sampling.min_person_share))
         codes[i].push_back(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));
@@ -76,12 +70,31 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
   return training;
 }
 
+BoostedTrees TrainClusterTrees(const ClusterSamples& samples, const BoostingConfig& config,
+                               int jobs, const TrainingProgress& progress) {
+  const auto persons = std::count(samples.labels.begin(), samples.labels.end(), 1);
+  const auto others = static_cast<std::int64_t>(samples.labels.size()) - persons;
+  if (persons == 0 || others == 0)
+    throw std::runtime_error("segmentation finds " + std::to_string(persons) + " persons and " +
+                             std::to_string(others) +
+                             " other clusters in the training frames, expected both");
+  std::vector<float> weights;
+  for (const std::int8_t label : samples.labels)
+    weights.push_back(0.5F / static_cast<float>(label > 0 ? persons : others));
+  return TrainBoostedTrees(
+      samples.features, samples.labels, weights, config,
+      [&](const BoostingProgress& state) {
+        progress("cluster boosting", static_cast<double>(state.round) / config.rounds);
+      },
+      jobs);
+}
+
 CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames,
                                     const CellModel& cells, const ClusterModel& model,
                                     const TrainingConfig& config, int jobs,
                                     const TrainingProgress& progress) {
   struct Judged {
-    std::vector<double> distances;
+    std::vector<double> evidence;
     std::vector<std::uint8_t> is_person;
     SegmentedMap segmented;
   };
@@ -89,20 +102,21 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
   std::atomic<std::size_t> done = 0;
   ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
     Judged& frame = judged[i];
-    frame.segmented = Segment(*frames[i], cells, config);
+    frame.segmented = SegmentObserved(*frames[i], cells, config);
     for (const CellCluster& cluster : frame.segmented.clusters) {
       const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
-      frame.distances.push_back(model.gaussian.Distance(code));
+      frame.evidence.push_back(ClusterEvidence(
+          frame.segmented, cluster, FitUprightBox(frame.segmented, cluster), code, model));
       frame.is_person.push_back(IsPerson(frame.segmented, cluster, frames[i]->person_box,
                                          config.sampling.min_person_share));
     }
     progress("calibration", static_cast<double>(++done) / static_cast<double>(frames.size()));
   });
 
-  std::vector<double> distances;
+  std::vector<double> evidence;
   std::vector<std::uint8_t> is_person;
   for (const Judged& frame : judged) {
-    distances.insert(distances.end(), frame.distances.begin(), frame.distances.end());
+    evidence.insert(evidence.end(), frame.evidence.begin(), frame.evidence.end());
     is_person.insert(is_person.end(), frame.is_person.begin(), frame.is_person.end());
   }
   CalibrationResult result;
@@ -112,7 +126,7 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
     throw std::runtime_error("segmentation finds " + std::to_string(result.person_clusters) +
                              " persons and " + std::to_string(result.other_clusters) +
                              " other clusters in the validation frames, expected both");
-  result.calibration = FitCalibration(distances, is_person);
+  result.calibration = FitCalibration(evidence, is_person);
   // A threshold is needed to judge clusters; the lowest lets the curve see all of them.
   result.calibration.operating_points = {{0.0, 1.0, 0.0}};
 

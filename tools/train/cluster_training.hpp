@@ -5,7 +5,7 @@
 #include <span>
 
 #include "fallen/evaluation/detection_error_tradeoff.hpp"
-#include "tools/train/observation.hpp"
+#include "tools/train/cluster_samples.hpp"
 #include "tools/train/training_config.hpp"
 #include "tools/train/training_progress.hpp"
 
@@ -25,6 +25,11 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
                                   const CellModel& cells, const TrainingConfig& config, int jobs,
                                   const TrainingProgress& progress);
 
+/// Trains the trees of a ClusterModel; both classes weigh the same.
+/// @throws std::runtime_error if `samples` hold one class only.
+BoostedTrees TrainClusterTrees(const ClusterSamples& samples, const BoostingConfig& config,
+                               int jobs, const TrainingProgress& progress);
+
 /// What came of the calibration.
 struct CalibrationResult {
   Calibration calibration;
@@ -33,7 +38,7 @@ struct CalibrationResult {
   std::int64_t other_clusters = 0;
 };
 
-/// Fits p(fallen | d) to the clusters of the validation frames, and measures the operating points.
+/// Fits p(fallen | evidence) to the clusters of the validation frames, and measures the operating points.
 /// @throws std::runtime_error if the segmentation finds no person there, or nothing but persons.
 CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames,
                                     const CellModel& cells, const ClusterModel& model,

@@ -33,6 +33,33 @@ nlohmann::json DataReport(const std::vector<ObservedRecording>& recordings) {
           {"maps_with_person", positives},   {"damaged_messages", damaged}};
 }
 
+// Clusters as unseen recordings give them: each half of the recordings is segmented by a cell
+// classifier that was trained on the other half, for one that knows the cells finds them too well.
+ClusterSamples CrossFitClusterSamples(const std::vector<ObservedRecording>& recordings,
+                                      const ClusterModel& clusters, const TrainingConfig& config,
+                                      double cell_size_m, int jobs,
+                                      const TrainingProgress& progress) {
+  std::vector<RecordingOrigin> origins;
+  for (const ObservedRecording& recording : recordings) origins.push_back(recording.origin);
+  const RecordingSplit halves =
+      SplitByPersonAndRoom(origins, 0.5, static_cast<std::uint64_t>(config.sampling.seed));
+  const auto frames_of = [&](const std::vector<std::size_t>& half) {
+    std::vector<const ObservedFrame*> frames;
+    for (const std::size_t i : half)
+      for (const ObservedFrame& frame : recordings[i].frames) frames.push_back(&frame);
+    return frames;
+  };
+  const auto first = frames_of(halves.training);
+  const auto second = frames_of(halves.validation);
+  std::vector<ClusterSamples> parts;
+  for (const auto& [learnt, unseen] : {std::pair(&first, &second), std::pair(&second, &first)}) {
+    const CellModel cells = TrainCellModel(CollectCellSamples(*learnt, config, jobs, progress),
+                                           cell_size_m, config, jobs, progress);
+    parts.push_back(CollectClusterSamples(*unseen, cells, clusters, config, jobs, progress));
+  }
+  return JoinSamples(parts);
+}
+
 // Share of the weight on the wrong side of zero.
 double CellError(const CellModel& model, const CellSamples& samples) {
   const std::vector<float> scores = PredictScores(model.trees, samples.features);
@@ -63,6 +90,10 @@ TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
   const ClusterTraining clusters = TrainClusterModel(training_frames, samples.person_descriptors,
                                                      model.cells, config, jobs, progress);
   model.clusters = clusters.model;
+  if (config.sampling.cluster_score == ClusterScore::kBoosted)
+    model.clusters.trees = TrainClusterTrees(
+        CrossFitClusterSamples(training, model.clusters, config, cell_size_m, jobs, progress),
+        config.cluster_boosting, jobs, progress);
   const CalibrationResult calibration =
       CalibrateOnFrames(validation_frames, model.cells, model.clusters, config, jobs, progress);
   model.clusters.calibration = calibration.calibration;
@@ -86,6 +117,7 @@ TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
                     {{"code_words", model.clusters.codebook.rows()},
                      {"training_person_clusters", clusters.person_clusters},
                      {"shrinkage", clusters.shrinkage},
+                    {"trees", model.clusters.trees.roots.size()},
                      {"validation_person_clusters", calibration.person_clusters},
                      {"validation_other_clusters", calibration.other_clusters}}},
                    {"validation_figures",

@@ -27,6 +27,7 @@ void TrainingConfig::Validate() const {
   Require(sampling.min_person_share > 0 && sampling.min_person_share <= 1,
           "sampling: min_person_share must be in (0, 1]");
   boosting.Validate();
+  cluster_boosting.Validate();
   segmentation.Validate();
   codebook.Validate();
   iron.Validate();

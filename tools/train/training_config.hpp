@@ -12,6 +12,16 @@
 
 namespace fallen {
 
+/// What decides about a cluster.
+enum class ClusterScore : std::int32_t {
+  kMahalanobis = 0,  ///< the distance of its code alone: the paper
+  kBoosted = 1,      ///< boosted trees on code, distance, size, height, outline and surroundings
+};
+constexpr auto EnumNames(ClusterScore) {
+  return EnumTable<ClusterScore, 2>{
+      {{ClusterScore::kMahalanobis, "mahalanobis"}, {ClusterScore::kBoosted, "boosted"}}};
+}
+
 /// Which cells and clusters are learnt from.
 struct SamplingConfig {
   CellFeatureSet features = CellFeatureSet::kIronAndShape;
@@ -21,6 +31,7 @@ struct SamplingConfig {
   double alpha = 0.7;           ///< soft threshold on the cosine
   /// A cluster is a fallen person's if so many of its labelled cells are, (0, 1].
   double min_person_share = 0.5;
+  ClusterScore cluster_score = ClusterScore::kBoosted;
   std::int64_t seed = 1;
 
   template <class Visitor>
@@ -31,6 +42,7 @@ struct SamplingConfig {
     visit("codebook_cells", codebook_cells);
     visit("alpha", alpha);
     visit("min_person_share", min_person_share);
+    visit("cluster_score", cluster_score);
     visit("seed", seed);
   }
 };
@@ -40,6 +52,7 @@ struct TrainingConfig {
   ObservationConfig observation;
   SamplingConfig sampling;
   BoostingConfig boosting;
+  BoostingConfig cluster_boosting{.rounds = 200, .max_depth = 3};
   SegmentationConfig segmentation;
   GrowingNeuralGasConfig codebook;
   IronConfig iron;
@@ -51,6 +64,7 @@ struct TrainingConfig {
     visit("observation", observation);
     visit("sampling", sampling);
     visit("boosting", boosting);
+    visit("cluster_boosting", cluster_boosting);
     visit("segmentation", segmentation);
     visit("codebook", codebook);
     visit("iron", iron);

@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "fallen/classification/cluster_features.hpp"
 #include "fallen/classification/soft_threshold_encoding.hpp"
 
 namespace fallen {
@@ -26,14 +27,14 @@ ClusterModel SmallModel() {
   model.codebook = RandomUnits(6, model.iron.dimension(), random);
   model.gaussian =
       MahalanobisModel(Eigen::VectorXd::Constant(6, 0.05), Eigen::MatrixXd::Identity(6, 6) * 1e-4);
-  model.calibration.slope = -2;
+  model.calibration.slope = 2;
   model.calibration.intercept = 5;
   model.calibration.operating_points = {{0.1, 1.0, 0.0}, {0.6, 0.01, 0.2}};
   return model;
 }
 
-// `clusters` clusters of `each` cells that lie along x, a metre apart.
-SegmentedMap MapOf(int clusters, int each) {
+// `clusters` clusters of `each` cells that lie along x, `apart` metres from each other.
+SegmentedMap MapOf(int clusters, int each, float apart = 2) {
   std::mt19937 random(2);
   SegmentedMap map;
   map.frame = MapFrame::kWorld;
@@ -42,7 +43,7 @@ SegmentedMap MapOf(int clusters, int each) {
     for (int i = 0; i < each; ++i) {
       cluster.cells.push_back(static_cast<std::int32_t>(map.cells.size()));
       ScoredCell& scored = map.cells.emplace_back();
-      scored.cell.mean = {static_cast<float>(c), 0.05F * static_cast<float>(i), 0.1F};
+      scored.cell.mean = {apart * static_cast<float>(c), 0.05F * static_cast<float>(i), 0.1F};
       scored.score = 0.25F * static_cast<float>(1 + i % 2);
       scored.cluster = c;
     }
@@ -64,12 +65,13 @@ TEST(ClassifyClusters, JudgesEveryClusterBestFirst) {
   for (const PersonHypothesis& hypothesis : decision.hypotheses) {
     EXPECT_LE(hypothesis.probability, before);
     before = hypothesis.probability;
-    const auto index = static_cast<std::size_t>(hypothesis.centroid.x() + 0.5);
+    const auto index = static_cast<std::size_t>(hypothesis.centroid.x() / 2 + 0.5);
     const CellCluster& cluster = map.clusters[index];
     const double distance =
         model.gaussian.Distance(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));
     EXPECT_EQ(hypothesis.mahalanobis_distance, distance);
-    EXPECT_EQ(hypothesis.probability, model.calibration.Probability(distance));
+    EXPECT_EQ(hypothesis.probability,
+              model.calibration.Probability(MahalanobisEvidence(distance)));
     EXPECT_EQ(hypothesis.is_person, hypothesis.probability >= 0.6);
     EXPECT_NEAR(hypothesis.centroid.y(), 0.05 * 3.5, 1e-6);
     EXPECT_NEAR(hypothesis.mean_score, 0.375, 1e-12);
@@ -90,7 +92,54 @@ TEST(ClassifyClusters, KeepsTheOrderOfEqualClusters) {
   SegmentedMap map = MapOf(4, 3);
   for (CellCluster& cluster : map.clusters) cluster.descriptors = map.clusters[0].descriptors;
   const Decision decision = ClassifyClusters(map, SmallModel());
-  for (int c = 0; c < 4; ++c) EXPECT_NEAR(decision.hypotheses[c].centroid.x(), c, 1e-6);
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(decision.hypotheses[c].centroid.x(), 2 * c, 1e-6);
+}
+
+TEST(ClassifyClusters, KeepsOnlyTheBestOfClustersThatLieTogether) {
+  const SegmentedMap map = MapOf(3, 8, 0.8F);
+  const Decision all = ClassifyClusters(map, SmallModel(), {.min_separation_m = 0});
+  ASSERT_EQ(all.hypotheses.size(), 3U);
+  const Decision apart = ClassifyClusters(map, SmallModel());  // 0.8 m and 1.6 m apart
+  ASSERT_FALSE(apart.hypotheses.empty());
+  EXPECT_EQ(apart.hypotheses[0], all.hypotheses[0]);
+  const auto distance = [](const PersonHypothesis& a, const PersonHypothesis& b) {
+    return (a.centroid - b.centroid).norm();
+  };
+  for (const PersonHypothesis& a : apart.hypotheses)
+    for (const PersonHypothesis& b : apart.hypotheses)
+      EXPECT_TRUE(a == b || distance(a, b) >= 1.2);
+  EXPECT_LT(apart.hypotheses.size(), 3U);
+}
+
+// A model whose trees say that clusters higher than 0.15 m are persons.
+ClusterModel ModelWithTrees() {
+  ClusterModel model = SmallModel();
+  model.trees.feature_count = kClusterShapeFeatures + 6;
+  model.trees.roots = {0};
+  model.trees.nodes = {{7, 0.15F, 1, 0}, {-1, 0, 0, -1}, {-1, 0, 0, 1}};
+  return model;
+}
+
+TEST(ClassifyClusters, LetsTheTreesDecideWhereThereAreSome) {
+  const ClusterModel model = ModelWithTrees();
+  EXPECT_NO_THROW(model.Validate());
+  SegmentedMap map = MapOf(2, 8);
+  map.ground.status = GroundStatus::kOk;
+  map.ground.plane = {Eigen::Vector3d::UnitZ(), 0};
+  map.cells[0].cell.mean.z() = 0.3F;
+  const Decision decision = ClassifyClusters(map, model);
+  ASSERT_EQ(decision.hypotheses.size(), 2U);
+  EXPECT_NEAR(decision.hypotheses[0].centroid.x(), 0, 1e-6);
+  EXPECT_EQ(decision.hypotheses[0].probability, model.calibration.Probability(1));
+  EXPECT_EQ(decision.hypotheses[1].probability, model.calibration.Probability(-1));
+}
+
+TEST(ClassifyClusters, FindsNobodyByTreesWithoutAFloor) {
+  const ClusterModel model = ModelWithTrees();
+  SegmentedMap map = MapOf(2, 8);
+  map.cells[0].cell.mean.z() = 0.3F;
+  for (const PersonHypothesis& hypothesis : ClassifyClusters(map, model).hypotheses)
+    EXPECT_EQ(hypothesis.probability, model.calibration.Probability(-1));
 }
 
 TEST(ClassifyClusters, DecidesFramesWithoutClusters) {
@@ -102,6 +151,8 @@ TEST(ClassifyClusters, RejectsOtherDescriptorsAndSettings) {
   map.iron.radius_m = 0.4;
   EXPECT_THROW(ClassifyClusters(map, SmallModel()), std::invalid_argument);
   EXPECT_THROW(ClassifyClusters(MapOf(1, 4), SmallModel(), {.false_positives_per_frame = -1}),
+               std::invalid_argument);
+  EXPECT_THROW(ClassifyClusters(MapOf(1, 4), SmallModel(), {.min_separation_m = -1}),
                std::invalid_argument);
   ClusterModel uncalibrated = SmallModel();
   uncalibrated.calibration.operating_points.clear();
@@ -122,8 +173,9 @@ TEST(ClusterModel, ValidateRejectsPartsThatDoNotFit) {
   rejects([](auto& m) { m.alpha = 1; });
   rejects([](auto& m) { m.alpha = std::nan(""); });
   rejects([](auto& m) { m.gaussian = {}; });
-  rejects([](auto& m) { m.calibration.slope = 1; });
+  rejects([](auto& m) { m.calibration.slope = -1; });
   rejects([](auto& m) { m.iron.distance_bins = 0; });
+  rejects([](auto& m) { m.trees = ModelWithTrees().trees, m.trees.feature_count = 5; });
 }
 
 }  // namespace

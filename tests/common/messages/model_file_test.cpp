@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "fallen/classification/cluster_features.hpp"
 #include "fallen/messages/container_file.hpp"
 #include "fallen/messages/log_file.hpp"
 #include "fallen/messages/model_files.hpp"
@@ -52,7 +53,11 @@ Model SampleModel() {
   Eigen::MatrixXd covariance = root * root.transpose() + Eigen::MatrixXd::Identity(kUnits, kUnits);
   covariance = (covariance + covariance.transpose()).eval() / 2;
   model.clusters.gaussian = MahalanobisModel(mean, covariance);
-  model.clusters.calibration.slope = -2.345;
+  model.clusters.trees.feature_count = kClusterShapeFeatures + kUnits;
+  model.clusters.trees.roots = {0};
+  model.clusters.trees.nodes = {{kClusterShapeFeatures + 1, 0.25F, 1, 0}, {-1, 0, 0, -0.5F},
+                                {-1, 0, 0, 0.75F}};
+  model.clusters.calibration.slope = 2.345;
   model.clusters.calibration.intercept = 1.0 / 3;
   model.clusters.calibration.operating_points = {{0.5, 0.1, 0.05}, {0.75, 0.01, 0.2}};
   return model;
@@ -70,6 +75,7 @@ void ExpectEqual(const Model& a, const Model& b) {
   EXPECT_EQ(a.clusters.alpha, b.clusters.alpha);
   EXPECT_EQ(a.clusters.gaussian.mean(), b.clusters.gaussian.mean());
   EXPECT_EQ(a.clusters.gaussian.covariance(), b.clusters.gaussian.covariance());
+  EXPECT_EQ(a.clusters.trees, b.clusters.trees);
   EXPECT_EQ(a.clusters.calibration, b.clusters.calibration);
 }
 
@@ -85,12 +91,12 @@ TEST(ModelConversion, RefusesEachBadField) {
       {"iron.radius_m", [=](auto& m) { m.iron.radius_m = kNan; }},
       {"features", [](auto& m) { m.features = 2; }},
       {"features", [](auto& m) { m.features = -1; }},
-      {"tree_count", [](auto& m) { m.tree_count = 3; }},
-      {"node_count", [](auto& m) { m.node_value.pop_back(); }},
-      {"boosted_trees", [](auto& m) { m.node_left[0] = 0; }},
-      {"boosted_trees", [](auto& m) { m.node_left[0] = 1 << 30; }},
-      {"boosted_trees", [](auto& m) { m.root[0] = -1; }},
-      {"boosted_trees", [=](auto& m) { m.node_value[1] = static_cast<float>(kNan); }},
+      {"tree_count", [](auto& m) { m.cell_trees.tree_count = 3; }},
+      {"node_count", [](auto& m) { m.cell_trees.node_value.pop_back(); }},
+      {"boosted_trees", [](auto& m) { m.cell_trees.node_left[0] = 0; }},
+      {"boosted_trees", [](auto& m) { m.cell_trees.node_left[0] = 1 << 30; }},
+      {"boosted_trees", [](auto& m) { m.cell_trees.root[0] = -1; }},
+      {"boosted_trees", [=](auto& m) { m.cell_trees.node_value[1] = static_cast<float>(kNan); }},
       {"min_score", [](auto& m) { m.min_score = 7; }},
       {"descriptors_on_foreground_only", [](auto& m) { m.descriptors_on_foreground_only = 2; }},
       {"unit_count", [](auto& m) { m.unit_count = 0; }},
@@ -106,7 +112,10 @@ TEST(ModelConversion, RefusesEachBadField) {
       {"covariance", [](auto& m) { m.gaussian_covariance[2].pop_back(); }},
       {"covariance", [](auto& m) { m.gaussian_covariance[2][1] += 1; }},
       {"covariance", [](auto& m) { m.gaussian_covariance[2][2] = -1; }},
-      {"slope", [](auto& m) { m.calibration_slope = 1; }},
+      {"cluster_trees.tree_count", [](auto& m) { m.cluster_trees.tree_count = 2; }},
+      {"features", [](auto& m) { m.cluster_trees.feature_count = 90; }},
+      {"boosted_trees", [](auto& m) { m.cluster_trees.root[0] = 9; }},
+      {"slope", [](auto& m) { m.calibration_slope = -1; }},
       {"intercept", [=](auto& m) { m.calibration_intercept = kNan; }},
       {"operating_point_count", [](auto& m) { m.operating_point_count = 3; }},
       {"miss_rate", [](auto& m) { m.operating_point_miss_rate[0] = -1; }},
@@ -154,10 +163,10 @@ TEST(ModelFile, GivesBackWhatWasSavedAndNamesWhatIsWrong) {
       path.string() + ": first bytes: got \"FALLENEM\", expected \"FALLENMD\" of a model file");
   model_t message = ToMessage(SampleModel());
   message.features = 9;
-  WriteContainer(path, {"FALLENMD", "", 1}, EncodeMessage(message));
-  EXPECT_EQ(error_of(), path.string() + ": model_t.features: got 9, expected 0 to 1");
   WriteContainer(path, {"FALLENMD", "", 2}, EncodeMessage(message));
-  EXPECT_EQ(error_of(), path.string() + ": version: got 2, expected 1");
+  EXPECT_EQ(error_of(), path.string() + ": model_t.features: got 9, expected 0 to 1");
+  WriteContainer(path, {"FALLENMD", "", 3}, EncodeMessage(message));
+  EXPECT_EQ(error_of(), path.string() + ": version: got 3, expected 2");
   std::filesystem::remove(path);
   EXPECT_EQ(error_of(), path.string() + ": cannot open: No such file or directory");
 }

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/train/cluster_samples.hpp"
+
+#include <atomic>
+
+#include "fallen/classification/cluster_features.hpp"
+#include "fallen/classification/soft_threshold_encoding.hpp"
+#include "fallen/segmentation/parallel_for.hpp"
+
+namespace fallen {
+namespace {
+
+Eigen::Vector3d CentroidOf(const SegmentedMap& segmented, const CellCluster& cluster) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const std::int32_t i : cluster.cells) sum += segmented.cells[i].cell.mean.cast<double>();
+  return sum / static_cast<double>(cluster.cells.size());
+}
+
+ClusterSamples SampleFrame(const ObservedFrame& frame, const CellModel& cells,
+                           const ClusterModel& model, const TrainingConfig& config) {
+  ClusterSamples samples;
+  const SegmentedMap segmented = SegmentObserved(frame, cells, config);
+  samples.features.resize(0, kClusterShapeFeatures + model.codebook.rows());
+  if (!segmented.ground.ok()) return samples;
+  samples.features.resize(static_cast<Eigen::Index>(segmented.clusters.size()), Eigen::NoChange);
+  for (const CellCluster& cluster : segmented.clusters) {
+    const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
+    samples.features.row(static_cast<Eigen::Index>(samples.labels.size())) =
+        ComputeClusterFeatures(segmented, cluster, FitUprightBox(segmented, cluster), code,
+                               model.gaussian.Distance(code));
+    const bool is_person =
+        frame.person_box && frame.person_box->Contains(CentroidOf(segmented, cluster));
+    samples.labels.push_back(is_person ? 1 : -1);
+  }
+  return samples;
+}
+
+}  // namespace
+
+SegmentedMap SegmentObserved(const ObservedFrame& frame, const CellModel& cells,
+                             const TrainingConfig& config) {
+  const ForegroundMap foreground = BackgroundSubtractor().Subtract(frame.map);
+  return SegmentCells(foreground, cells, config.segmentation);
+}
+
+ClusterSamples JoinSamples(std::span<const ClusterSamples> parts) {
+  Eigen::Index rows = 0;
+  for (const ClusterSamples& part : parts) rows += part.features.rows();
+  ClusterSamples samples;
+  samples.features.resize(rows, parts.empty() ? 0 : parts[0].features.cols());
+  rows = 0;
+  for (const ClusterSamples& part : parts) {
+    samples.features.middleRows(rows, part.features.rows()) = part.features;
+    samples.labels.insert(samples.labels.end(), part.labels.begin(), part.labels.end());
+    rows += part.features.rows();
+  }
+  return samples;
+}
+
+ClusterSamples CollectClusterSamples(std::span<const ObservedFrame* const> frames,
+                                     const CellModel& cells, const ClusterModel& model,
+                                     const TrainingConfig& config, int jobs,
+                                     const TrainingProgress& progress) {
+  std::vector<ClusterSamples> parts(frames.size());
+  std::atomic<std::size_t> done = 0;
+  ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
+    parts[i] = SampleFrame(*frames[i], cells, model, config);
+    progress("cluster features", static_cast<double>(++done) / static_cast<double>(frames.size()));
+  });
+  return JoinSamples(parts);
+}
+
+}  // namespace fallen
