@@ -44,6 +44,8 @@ void BoostingConfig::Validate() const {
   if (rounds < 1) Fail("rounds is " + std::to_string(rounds) + ", must be >= 1");
   if (max_depth < 1 || max_depth > 10)
     Fail("max_depth is " + std::to_string(max_depth) + ", must be in [1, 10]");
+  if (!(learning_rate > 0 && learning_rate <= 1))
+    Fail("learning_rate is " + std::to_string(learning_rate) + ", must be in (0, 1]");
   if (!(min_leaf_weight >= 0 && min_leaf_weight < 0.5))
     Fail("min_leaf_weight is " + std::to_string(min_leaf_weight) + ", must be in [0, 0.5)");
   if (threshold_bins < 2 || threshold_bins > 256)

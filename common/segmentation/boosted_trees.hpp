@@ -15,7 +15,8 @@
 /// [Freund95]   Freund, Schapire: A decision-theoretic generalization of on-line learning and an
 ///              application to boosting. EuroCOLT 1995.
 /// [Friedman00] Friedman, Hastie, Tibshirani: Additive logistic regression. Annals of
-/// Statistics 28. [Schapire99] Schapire, Singer: Improved boosting algorithms using
+/// Statistics 28. [Friedman01] Friedman: Greedy function approximation: a gradient boosting machine.
+/// Annals of Statistics 29. [Schapire99] Schapire, Singer: Improved boosting algorithms using
 /// confidence-rated predictions.
 ///              Machine Learning 37.
 namespace fallen {
@@ -69,6 +70,9 @@ struct BoostingConfig {
   int rounds = 150;               ///< trees at most, >= 1
   int max_depth = 4;              ///< decisions from root to leaf, [1, 10]
   double min_leaf_weight = 1e-4;  ///< share of the total weight that a leaf must hold, [0, 0.5)
+  /// Share of its vote that a tree is given, (0, 1]: with small steps many trees learn more evenly
+  /// than few [Friedman01].
+  double learning_rate = 1;
   int threshold_bins = 256;       ///< bins a feature is cut into at its quantiles, [2, 256]
 
   void Validate() const;
@@ -78,6 +82,7 @@ struct BoostingConfig {
     visit("rounds", rounds);
     visit("max_depth", max_depth);
     visit("min_leaf_weight", min_leaf_weight);
+    visit("learning_rate", learning_rate);
     visit("threshold_bins", threshold_bins);
   }
 };

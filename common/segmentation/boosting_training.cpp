@@ -154,6 +154,8 @@ BoostedTrees TrainBoostedTrees(const Eigen::Ref<const FeatureMatrix>& features,
   for (int round = 1; round <= config.rounds; ++round) {
     GrownTree tree = GrowTree(binned, is_positive, current, growing, threads);
     Vote(tree, config.variant, count);
+    for (BoostedTrees::Node& node : tree.nodes)
+      node.value *= static_cast<float>(config.learning_rate);
     const double factor = LossFactor(tree);
     // A model has at least one tree, even one that learnt nothing.
     if (round > 1 && factor > 1 - kMinLossGain) break;

@@ -52,7 +52,8 @@ struct TrainingConfig {
   ObservationConfig observation;
   SamplingConfig sampling;
   BoostingConfig boosting;
-  BoostingConfig cluster_boosting{.rounds = 200, .max_depth = 3};
+  BoostingConfig cluster_boosting{
+      .rounds = 300, .max_depth = 3, .min_leaf_weight = 1e-3, .learning_rate = 0.1};
   SegmentationConfig segmentation;
   GrowingNeuralGasConfig codebook;
   IronConfig iron;

@@ -134,6 +134,25 @@ TEST(GentleAdaBoost, VotesTheMeanLabelAndReweightsByIt) {
   EXPECT_NEAR(model.nodes[5].value, 1.0, 1e-6);
 }
 
+TEST(Boosting, LearningRateScalesTheVotesAndSlowsTheLoss) {
+  const Samples samples = SixSamples();
+  BoostingConfig config = Stumps(BoostingVariant::kGentle, 3);
+  const BoostedTrees whole = TrainBoostedTrees(samples.features, samples.labels, {}, config);
+  const double whole_loss = TrainingCurve(samples, config).back().exponential_loss;
+  config.learning_rate = 0.25;
+  const BoostedTrees quarter = TrainBoostedTrees(samples.features, samples.labels, {}, config);
+  EXPECT_EQ(quarter.nodes[0], whole.nodes[0]);
+  EXPECT_EQ(quarter.nodes[1].value, whole.nodes[1].value / 4);
+  EXPECT_EQ(quarter.nodes[2].value, whole.nodes[2].value / 4);
+  const double loss = TrainingCurve(samples, config).back().exponential_loss;
+  EXPECT_LT(loss, 1);
+  EXPECT_GT(loss, whole_loss);
+  for (const double bad : {0.0, -1.0, 1.5, std::nan("")}) {
+    config.learning_rate = bad;
+    EXPECT_THROW(config.Validate(), std::invalid_argument) << bad;
+  }
+}
+
 TEST(Boosting, WeightsCountLikeRepeatedSamples) {
   const Samples ring = Ring(300, 3, 3);
   std::vector<float> weights;
