@@ -3,6 +3,7 @@
 #include "fallen/ndt/ndt_mapper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -114,14 +115,26 @@ struct RowBuffers {
   std::vector<float> column_x, column_y, column_z;  // directions of the rays, column part
   std::vector<std::int32_t> voxel_x, voxel_y, voxel_z;
   std::vector<float> x, y, z;
-  std::vector<std::int32_t> above;  // position of the voxel of the pixel above, if it has one
 
   void Resize(std::size_t image_width) {
     const std::size_t width = (image_width + kRowPadding - 1) / kRowPadding * kRowPadding;
     for (auto* floats : {&column_x, &column_y, &column_z, &x, &y, &z}) floats->resize(width);
     for (auto* indices : {&voxel_x, &voxel_y, &voxel_z}) indices->resize(width);
-    above.assign(width, -1);
   }
+};
+
+// Where voxels were found a little while ago: depth that jumps to and fro between voxels, and the
+// next row, find them again without a search. An entry is a guess, to be checked.
+class RecentVoxels {
+ public:
+  std::int32_t& Slot(const VoxelIndex& local) {
+    const auto mix = static_cast<std::uint32_t>(local.x + 37 * local.y + 211 * local.z);
+    return positions_[mix % kSlots];
+  }
+
+ private:
+  static constexpr std::uint32_t kSlots = 2048;  // 8 kB, a part of the first cache
+  std::array<std::int32_t, kSlots> positions_{};
 };
 
 }  // namespace
@@ -130,6 +143,7 @@ struct NdtMapper::State {
   NdtConfig config;
   VoxelStore store;
   RowBuffers rows;
+  RecentVoxels recent;
   std::optional<MapFrame> frame;                                  // nothing before the first image
   Eigen::Isometry3d T_map_fixed = Eigen::Isometry3d::Identity();  // of a camera that does not move
   std::int64_t utime = 0;
@@ -147,6 +161,7 @@ struct NdtMapper::State {
 
   void AddPoints(const DepthImage& image, const CameraInGrid& camera, const HeightLimits& limits,
                  bool ground_known);
+  void AddRow(const RowPoints& points, int width, const VoxelIndex& origin, bool may_hold_floor);
   void MergeIncoming(const DepthImage& image, const CameraInGrid& camera,
                      const HeightLimits& limits, bool ground_known);
   bool IsForgotten(Voxel& voxel, const DepthImage& image, const CameraInGrid& camera,
@@ -155,7 +170,7 @@ struct NdtMapper::State {
 };
 
 // From pixels to sums in voxels. Neighbouring pixels mostly fall into one voxel: their sums are
-// made in registers, and the voxel is looked up once a run, where the pixel above was first.
+// made in registers, and the voxel is looked up once a run.
 void NdtMapper::State::AddPoints(const DepthImage& image, const CameraInGrid& camera,
                                  const HeightLimits& limits, bool ground_known) {
   const CameraIntrinsics& pinhole = image.intrinsics;
@@ -199,26 +214,32 @@ void NdtMapper::State::AddPoints(const DepthImage& image, const CameraInGrid& ca
                                       static_cast<float>(along.y()), static_cast<float>(along.z())};
     PlaceRow(image.depth.data() + static_cast<std::size_t>(v) * pinhole.width, pinhole.width,
              directions, geometry, points);
-    for (int u = 0; u < pinhole.width;) {
-      const VoxelIndex local = {rows.voxel_x[u], rows.voxel_y[u], rows.voxel_z[u]};
-      if (local.x == kNoPoint) {
-        ++u;
-        continue;
-      }
-      const int begin = u;
-      PointSums<float> run;
-      for (; u < pinhole.width && rows.voxel_x[u] == local.x && rows.voxel_y[u] == local.y &&
-             rows.voxel_z[u] == local.z;
-           ++u)
-        run.Add(rows.x[u], rows.y[u], rows.z[u]);
-      const std::int32_t position = store.FindOrAdd(
-          {camera.voxel.x + local.x, camera.voxel.y + local.y, camera.voxel.z + local.z},
-          rows.above[begin]);
-      std::fill(rows.above.begin() + begin, rows.above.begin() + u, position);
-      Voxel& voxel = store.voxels()[position];
-      voxel.incoming.Add(run);
-      voxel.may_hold_floor |= !ground_known;
+    AddRow(points, pinhole.width, camera.voxel, !ground_known);
+  }
+}
+
+void NdtMapper::State::AddRow(const RowPoints& points, int width, const VoxelIndex& origin,
+                              bool may_hold_floor) {
+  const RowPoints p = points;  // a copy, and so not changed by what is written below
+  for (int u = 0; u < width;) {
+    const VoxelIndex local = {p.voxel_x[u], p.voxel_y[u], p.voxel_z[u]};
+    if (local.x == kNoPoint) {
+      ++u;
+      continue;
     }
+    PointSums<float> run;
+    do {
+      run.Add(p.x[u], p.y[u], p.z[u]);
+      ++u;
+    } while (u < width &&
+             ((p.voxel_x[u] ^ local.x) | (p.voxel_y[u] ^ local.y) | (p.voxel_z[u] ^ local.z)) == 0);
+    std::int32_t& known = recent.Slot(local);
+    const std::int32_t position =
+        store.FindOrAdd({origin.x + local.x, origin.y + local.y, origin.z + local.z}, known);
+    known = position;
+    Voxel& voxel = store.voxels()[position];
+    voxel.incoming.Add(run);
+    voxel.may_hold_floor |= may_hold_floor;
   }
 }
 
