@@ -5,6 +5,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "fallen/service/channels.hpp"
+
 namespace fallen {
 namespace {
 
@@ -24,6 +26,7 @@ LiveSource::LiveSource(Feed& feed, const std::string& lcm_url, const std::string
   if (!lcm_.good()) throw std::runtime_error(lcm_url + ": LCM cannot be opened, run fallen-doctor");
   lcm_.subscribe(AssembledChannels(camera), &LiveSource::OnMessage, this);
   lcm_.subscribe("STATUS_.*", &LiveSource::OnStatus, this);
+  lcm_.subscribe(channels::kFallAlarm, &LiveSource::OnAlarm, this);
   feed_.SetTopic("source", {{"mode", "live"}, {"name", lcm_url}, {"camera", camera}});
   TellServices();
 }
@@ -47,6 +50,14 @@ void LiveSource::OnMessage(const lcm::ReceiveBuffer* buffer, const std::string& 
 void LiveSource::OnStatus(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept {
   try {
     services_.Take(Bytes(buffer), std::chrono::steady_clock::now());
+  } catch (const std::exception& error) {
+    warnings_.Warn(channel, channel + ": " + error.what());
+  }
+}
+
+void LiveSource::OnAlarm(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept {
+  try {
+    if (alarms_.Take(Bytes(buffer))) feed_.SetTopic("alarms", alarms_.ToJson());
   } catch (const std::exception& error) {
     warnings_.Warn(channel, channel + ": " + error.what());
   }

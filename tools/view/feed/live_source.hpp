@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fallen/service/logging.hpp"
+#include "tools/view/feed/alarm_table.hpp"
 #include "tools/view/feed/feed.hpp"
 #include "tools/view/feed/scene_assembler.hpp"
 #include "tools/view/feed/service_table.hpp"
@@ -28,12 +29,14 @@ class LiveSource {
  private:
   void OnMessage(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept;
   void OnStatus(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept;
+  void OnAlarm(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept;
   void TellServices();
 
   Feed& feed_;
   lcm::LCM lcm_;
   SceneAssembler assembler_;
   ServiceTable services_;
+  AlarmTable alarms_;
   RepeatedWarnings warnings_;
   std::chrono::steady_clock::time_point services_due_;
 };

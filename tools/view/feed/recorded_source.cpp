@@ -24,8 +24,9 @@ std::optional<std::string> CameraWithDecisions(const std::filesystem::path& log,
 
 RecordedSource::RecordedSource(Feed& feed, const std::filesystem::path& log,
                                const std::string& camera, const std::string& name)
-    : reader_(log),
-      assembler_(camera, [&feed](const Scene& scene) { feed.Append(scene); }),
+    : feed_(feed),
+      reader_(log),
+      assembler_(camera, [this](const Scene& scene) { feed_.Append(scene); }),
       report_(feed, name, camera) {}
 
 void RecordedSource::Run(const std::atomic<bool>& is_stopping) {
@@ -50,6 +51,8 @@ void RecordedSource::Run(const std::atomic<bool>& is_stopping) {
 void RecordedSource::Take(const LogEvent& event) {
   try {
     assembler_.Take(event.channel, event.data);
+    if (event.channel == channels::kFallAlarm && alarms_.Take(event.data))
+      feed_.SetTopic("alarms", alarms_.ToJson());
   } catch (const std::invalid_argument& error) {
     unusable_.Add(event.channel + ": " + error.what());
   }

@@ -9,6 +9,7 @@
 
 #include "fallen/messages/log_file.hpp"
 #include "tools/frames/frame_source.hpp"
+#include "tools/view/feed/alarm_table.hpp"
 #include "tools/view/feed/feed.hpp"
 #include "tools/view/feed/replay_report.hpp"
 #include "tools/view/feed/scene_assembler.hpp"
@@ -35,8 +36,10 @@ class RecordedSource {
  private:
   void Take(const LogEvent& event);
 
+  Feed& feed_;
   LogReader reader_;
   SceneAssembler assembler_;
+  AlarmTable alarms_;
   ReplayReport report_;
   Damage unusable_;
 };

@@ -4,6 +4,7 @@
 import {Connection} from './connection.js';
 import {byId, element} from './element.js';
 import {bindKeys, listKeys} from './keyboard.js';
+import {showAlarms} from './panels/alarms_panel.js';
 import {showBanner} from './panels/banner.js';
 import {DepthPanel} from './panels/depth_panel.js';
 import {makeColorChoice} from './panels/legend.js';
@@ -23,6 +24,7 @@ const player = new Player(timeline, (what) => connection.want(what), () => showC
 const plot = new Plot(timeline, player);
 let source = null;
 let frame = null;
+let alarms = [];
 let received = [];  // times of the last frames that came [ms]
 
 function showSource() {
@@ -72,13 +74,19 @@ function takeFrame(value) {
   world.showFrame(frame);
   depthPanel.show(frame);
   showPersons(frame);
-  showBanner(frame);
+  showNews();
   if (frame.milliseconds) showStages(frame.milliseconds);
   plot.threshold = frame.min_probability ?? plot.threshold;
   showFacts();
   player.arrived(frame.index);
   world.marks.showPath(timeline, frame.index);
   plot.draw();
+}
+
+// An alarm may come, or be acknowledged, between two frames.
+function showNews() {
+  const isNewest = player.isLiveFeed && player.followsNewest;
+  showBanner(frame ?? {}, showAlarms(alarms, isNewest ? Infinity : frame?.utime ?? 0));
 }
 
 function showFacts() {
@@ -118,6 +126,10 @@ const connection = new Connection({
   onTopic(name, value) {
     if (name === 'source') takeSource(value);
     if (name === 'services') showServices(value);
+    if (name === 'alarms') {
+      alarms = value;
+      showNews();
+    }
   },
   onTimeline: takeTimeline,
   onFrame: takeFrame,
