@@ -3,15 +3,26 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 
 #include "tools/common/tool.hpp"
 #include "tools/frames/frame_source.hpp"
 #include "tools/view/picture/frame_choice.hpp"
+#include "tools/view/picture/frame_film.hpp"
 #include "tools/view/picture/frame_picture.hpp"
 #include "tools/view/serve_page.hpp"
 #include "tools/view/view_options.hpp"
 
 namespace {
+
+int ExportFilm(const fallen::ViewOptions& options) {
+  fallen::Detector detector = fallen::MakeDetector(options.detector);
+  const auto recording = fallen::OpenFrameSource(options.input, options.camera);
+  const std::int64_t frames =
+      SaveFilm(options.export_file, *recording, detector, fallen::NameOf(options.input));
+  std::cerr << "film of " << frames << " frames" << std::endl;
+  return 0;
+}
 
 int ExportPicture(const fallen::ViewOptions& options) {
   fallen::Detector detector = fallen::MakeDetector(options.detector);
@@ -27,7 +38,11 @@ int View(const fallen::ViewOptions& options) {
   if (options.export_file.empty()) return fallen::ServePage(options);
   if (options.input.empty())
     throw std::runtime_error("--export: got no input, expected a recording to make a picture of");
-  return ExportPicture(options);
+  const std::string kind = options.export_file.extension();
+  if (kind == ".mp4") return ExportFilm(options);
+  if (kind == ".png") return ExportPicture(options);
+  throw std::runtime_error(options.export_file.string() +
+                           ": expected a name that ends in .png or .mp4");
 }
 
 }  // namespace

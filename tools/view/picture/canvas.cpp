@@ -170,6 +170,16 @@ Canvas::Clip Canvas::ClipTo(const Area& area) {
 
 Canvas::Clip::~Clip() { cairo_restore(canvas_.state_->cairo); }
 
+std::span<const std::uint32_t> Canvas::Pixels() {
+  cairo_surface_flush(state_->surface);
+  const unsigned char* bytes = cairo_image_surface_get_data(state_->surface);
+  const int width = cairo_image_surface_get_width(state_->surface);
+  const int height = cairo_image_surface_get_height(state_->surface);
+  // Rows of 32-bit pixels follow each other without a gap.
+  return {reinterpret_cast<const std::uint32_t*>(bytes),
+          static_cast<std::size_t>(width) * static_cast<std::size_t>(height)};
+}
+
 void Canvas::SavePng(const std::filesystem::path& file) {
   Check(cairo_status(state_->cairo), "picture");
   Check(cairo_surface_write_to_png(state_->surface, file.c_str()),

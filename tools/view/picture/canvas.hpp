@@ -62,6 +62,9 @@ class Canvas {
   class Clip;
   [[nodiscard]] Clip ClipTo(const Area& area);
 
+  /// What has been drawn, 0x..RRGGBB, row-major.
+  std::span<const std::uint32_t> Pixels();
+
   /// @throws std::runtime_error if the file cannot be written.
   void SavePng(const std::filesystem::path& file);
 

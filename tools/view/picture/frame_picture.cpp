@@ -16,8 +16,8 @@
 namespace fallen {
 namespace {
 
-constexpr int kWidth = 1600;
-constexpr int kHeight = 726;  // a 4:3 depth image then fills its panel, like the map its own
+constexpr double kWidth = kPictureWidth;
+constexpr double kHeight = kPictureHeight;
 constexpr double kMargin = 24;
 constexpr double kTitleHeight = 76;
 
@@ -63,8 +63,7 @@ std::string DescribeFrame(const ViewedFrame& viewed) {
          Format("  ·  %.1f ms", viewed.result.milliseconds.total);
 }
 
-void SaveFramePicture(const std::filesystem::path& png, const ViewedFrame& viewed) {
-  Canvas canvas(kWidth, kHeight, palette::kPaper);
+void DrawFramePicture(Canvas& canvas, const ViewedFrame& viewed) {
   TextStyle title;
   title.size = 22;
   title.bold = true;
@@ -79,7 +78,11 @@ void SaveFramePicture(const std::filesystem::path& png, const ViewedFrame& viewe
   DrawDepthPanel(canvas, {kMargin, kTitleHeight, kPanelWidth, kPanelHeight}, viewed);
   DrawMapPanel(canvas, {2 * kMargin + kPanelWidth, kTitleHeight, kPanelWidth, kPanelHeight},
                viewed);
+}
 
+void SaveFramePicture(const std::filesystem::path& png, const ViewedFrame& viewed) {
+  Canvas canvas(kPictureWidth, kPictureHeight, palette::kPaper);
+  DrawFramePicture(canvas, viewed);
   PartialFile file(png);
   canvas.SavePng(file.path());
   file.Commit();

@@ -152,6 +152,22 @@ TEST(FallenView, WritesAPictureOfEveryKindOfFrame) {
   }
 }
 
+TEST(FallenView, MakesAFilmOfARecording) {
+  if (RunCommand({"ffmpeg", "-version"}).status != 0) GTEST_SKIP() << "ffmpeg is missing";
+  const TemporaryFolder folder;
+  const std::string model = (folder.path() / "plain.model").string();
+  SaveModel(model, PlainModel());
+  lying_scene::WriteDirectory(folder.path() / "room", 5, With::kPerson, true);
+  const std::string film = (folder.path() / "out.mp4").string();
+  const ProgramOutcome outcome = RunProgram(
+      "fallen-view", {(folder.path() / "room").string(), "--export", film, "--model", model});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const ProgramOutcome probe =
+      RunCommand({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                  "stream=nb_read_frames,r_frame_rate,width", "-of", "csv=p=0", film});
+  EXPECT_EQ(probe.out, "1600,10/1,5\n") << probe.err;
+}
+
 TEST(FallenView, AWrongCallOrInputIsOneLineAndStatusTwo) {
   const TemporaryFolder folder;
   const std::string model = (folder.path() / "plain.model").string();
@@ -163,6 +179,8 @@ TEST(FallenView, AWrongCallOrInputIsOneLineAndStatusTwo) {
       {room, "--export", png, "--frame", "first", "--model", model},
       {room, "--export", png, "--frame", "1", "--model", model},
       {room, "--export", "/nowhere/out.png", "--model", model},
+      {room, "--export", "/nowhere/out.mp4", "--model", model},
+      {room, "--export", png + ".gif", "--model", model},
       {"/nowhere", "--export", png, "--model", model}};
   for (const std::vector<std::string>& call : calls) {
     const ProgramOutcome outcome = RunProgram("fallen-view", call);
