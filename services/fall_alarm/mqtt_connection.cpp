@@ -3,6 +3,8 @@
 #include "services/fall_alarm/mqtt_connection.hpp"
 
 #include <mosquitto.h>
+#include <poll.h>
+#include <sys/socket.h>
 
 #include <cerrno>
 #include <cstring>
@@ -80,8 +82,11 @@ MqttConnection::MqttConnection(const MqttConfig& config, const std::string& pass
       Require(
           mosquitto_tls_set(client_, config.ca_file.c_str(), nullptr, nullptr, nullptr, nullptr),
           "ca_file " + config.ca_file);
-    Require(mosquitto_connect_async(client_, config.host.c_str(), config.port, kKeepAlive_s),
-            "connecting");
+    errno = 0;
+    const int status =
+        mosquitto_connect_async(client_, config.host.c_str(), config.port, kKeepAlive_s);
+    connect_error_ = errno;
+    if (status != MOSQ_ERR_CONN_PENDING) Require(status, "connecting");
   } catch (...) {
     mosquitto_destroy(client_);
     throw;
@@ -106,10 +111,23 @@ void MqttConnection::Loop(std::chrono::milliseconds timeout) {
   errno = 0;
   const int status = mosquitto_loop(client_, static_cast<int>(timeout.count()), max_packets);
   if (!refusal_.empty()) Fail(refusal_);
-  if (status == MOSQ_ERR_SUCCESS) return;
+  if (status == MOSQ_ERR_SUCCESS) return RequireAlive();
   if (status == MOSQ_ERR_ERRNO && errno != 0 && library_error_.empty()) Fail(std::strerror(errno));
   Fail(std::string(mosquitto_strerror(status)) +
        (library_error_.empty() ? "" : " (" + library_error_ + ")"));
+}
+
+/// libmosquitto 2.0.11 goes on for ever, without a word, with a TLS connection that was refused.
+void MqttConnection::RequireAlive() const {
+  const int socket = mosquitto_socket(client_);
+  if (socket < 0) Fail("connection lost");
+  pollfd state{socket, 0, 0};
+  if (poll(&state, 1, 0) == 0) return;
+  int error = 0;
+  socklen_t size = sizeof error;
+  getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+  if (error == 0 && connect_error_ != EINPROGRESS) error = connect_error_;
+  Fail(error != 0 ? std::strerror(error) : "connection lost");
 }
 
 int MqttConnection::Publish(const std::string& topic, const std::string& payload) {

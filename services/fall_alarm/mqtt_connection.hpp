@@ -52,11 +52,13 @@ class MqttConnection {
  private:
   struct Callbacks;
   void Require(int status, const std::string& what);
+  void RequireAlive() const;
   [[noreturn]] void Fail(const std::string& why) const;
 
   const std::string broker_;
   Handlers handlers_;
   mosquitto* client_ = nullptr;
+  int connect_error_ = 0;      ///< errno of the call that began to connect
   std::string refusal_;        ///< why the broker does not want us
   std::string library_error_;  ///< newest, for what only the library's log tells
 };
