@@ -43,8 +43,11 @@ std::string RelativeTo(const std::filesystem::path& folder, const std::string& p
 
 void ServiceConfig::Validate() const {
   if (lcm_url.empty()) throw std::invalid_argument("service: lcm_url is empty, must be an LCM URL");
-  for (const auto& [key, name] : {std::pair{"camera", &camera}, {"robot", &robot}})
-    if (!channels::IsValidCamera(*name))
+  for (const auto& [key, name] : {std::pair{"camera", &camera},
+                                  {"robot", &robot},
+                                  {"pose_channel", &pose_channel},
+                                  {"depth_channel", &depth_channel}})
+    if (!channels::IsValidCamera(*name) && !(name == &depth_channel && name->empty()))
       throw std::invalid_argument(std::string("service: ") + key + " is '" + *name +
                                   "', must be 1 to " + std::to_string(channels::kMaxCameraLength) +
                                   " letters, digits, '_' or '-'");

@@ -11,6 +11,7 @@
 #include "fallen/detection/detector.hpp"
 #include "fallen/service/alarm_output_config.hpp"
 #include "fallen/service/capture_config.hpp"
+#include "fallen/service/channels.hpp"
 
 /// Configuration of a deployment: one YAML file that every service and tool reads its sections of.
 ///
@@ -38,15 +39,19 @@ struct ServiceConfig {
   std::string lcm_url = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
   std::string camera = "CAMERA";
   std::string robot = "robot";  ///< begins the ids of alarms, names their MQTT topics
+  /// Where the robot's pose comes: any channel that carries pose_t, which is bot_core.pose_t.
+  std::string pose_channel = channels::kRobotPose;
+  std::string depth_channel;  ///< where depth_image_t comes; empty: DEPTH_<camera>
 
-  /// @throws std::invalid_argument for an empty URL, or a camera or robot that cannot be part of a
-  /// channel.
+  /// @throws std::invalid_argument for an empty URL, or a name that cannot be part of a channel.
   void Validate() const;
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("lcm_url", lcm_url);
     visit("camera", camera);
     visit("robot", robot);
+    visit("pose_channel", pose_channel);
+    visit("depth_channel", depth_channel);
   }
 };
 

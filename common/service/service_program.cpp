@@ -51,6 +51,8 @@ int ServiceProgram::Run(int argc, const char* const* argv,
     StageOptions options;
     options.service = service_;
     options.camera = configuration.service.camera;
+    options.pose_channel = configuration.service.pose_channel;
+    options.depth_channel = configuration.service.depth_channel;
     options.lossless = lossless_;
     options.worker = WorkerShare::Parse(worker_);
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "fallen/messages/guarded_decoding.hpp"
+#include "fallen/service/channels.hpp"
 #include "fallen/service/service_reporter.hpp"
 #include "fallen/service/task_queue.hpp"
 
@@ -33,6 +34,8 @@ struct WorkerShare {
 struct StageOptions {
   std::string service;  ///< as in "fallen-<service>"
   std::string camera = "CAMERA";
+  std::string pose_channel = channels::kRobotPose;
+  std::string depth_channel;  ///< empty: DEPTH_<camera>
   bool lossless = false;
   WorkerShare worker;
   /// Bound on what waits: a lossless replay may run ahead of the service by 400 depth images, or by

@@ -24,9 +24,10 @@ NdtMappingService::NdtMappingService(lcm::LCM& lcm, const StageOptions& options,
                                      const GroundConfig& ground, const NdtConfig& ndt)
     : ground_(ground), mapper_(ndt), loop_(lcm, options) {
   ground_.Validate();
-  loop_.OnFrame<depth_image_t>(channels::Depth(options.camera),
-                               [this](const depth_image_t& depth) { HandleDepth(depth); });
-  loop_.OnMessage<pose_t>(channels::kRobotPose, [this](const pose_t& pose) { HandlePose(pose); });
+  loop_.OnFrame<depth_image_t>(
+      options.depth_channel.empty() ? channels::Depth(options.camera) : options.depth_channel,
+      [this](const depth_image_t& depth) { HandleDepth(depth); });
+  loop_.OnMessage<pose_t>(options.pose_channel, [this](const pose_t& pose) { HandlePose(pose); });
   loop_.OnIdle([this] { MapAll(synchronizer_.Flush()); });
 }
 
