@@ -48,4 +48,11 @@ std::string DescribeDecision(const Header& header, const Decision& decision,
   return text;
 }
 
+std::string DescribeAlarm(const FallAlarm& alarm, std::int64_t first_utime) {
+  return fmt::format("{:7.2f} s  ALARM {} {} at ({:.2f}, {:.2f}, {:.2f}) m {}  p {:.3f}  {} views",
+                     static_cast<double>(alarm.change_utime - first_utime) * 1e-6, alarm.id,
+                     EnumName(alarm.change), alarm.position.x(), alarm.position.y(),
+                     alarm.position.z(), EnumName(alarm.frame), alarm.probability, alarm.views);
+}
+
 }  // namespace fallen

@@ -46,4 +46,8 @@ class DecisionTally {
 std::string DescribeDecision(const Header& header, const Decision& decision,
                              std::int64_t first_utime);
 
+/// One line for people about a change of an alarm.
+/// @param first_utime  Time zero of the printed times.
+std::string DescribeAlarm(const FallAlarm& alarm, std::int64_t first_utime);
+
 }  // namespace fallen

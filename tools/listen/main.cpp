@@ -6,6 +6,7 @@
 #include <lcm/lcm-cpp.hpp>
 #include <set>
 
+#include "fallen/fall_alarm_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/messages/conversions.hpp"
 #include "fallen/messages/guarded_decoding.hpp"
@@ -39,6 +40,7 @@ class Listener {
   Listener(lcm::LCM& lcm, const std::string& camera) {
     lcm.subscribe(channels::Depth(camera), &Listener::OnDepth, this);
     lcm.subscribe(channels::FallenPersons(camera), &Listener::OnPersons, this);
+    lcm.subscribe(channels::kFallAlarm, &Listener::OnAlarm, this);
     lcm.subscribe("STATUS_.*", &Listener::OnStatus, this);
   }
 
@@ -71,12 +73,26 @@ class Listener {
     }
   }
 
+  // Repetitions say nothing new: they neither print nor keep the listener waiting.
+  void OnAlarm(const lcm::ReceiveBuffer* buffer, const std::string&) noexcept {
+    const Decoded<fall_alarm_t> decoded = DecodeMessage<fall_alarm_t>(Bytes(buffer));
+    if (!decoded) return tally_.AddDamaged();
+    try {
+      const FallAlarm alarm = FromMessage(*decoded.message).alarm;
+      if (!alarms_.emplace(alarm.id, alarm.revision).second) return;
+      std::cout << DescribeAlarm(alarm, first_utime_.value_or(alarm.change_utime)) << std::endl;
+    } catch (const std::exception&) {
+      tally_.AddDamaged();
+    }
+  }
+
   void OnStatus(const lcm::ReceiveBuffer*, const std::string& channel) noexcept {
     status_channels_.insert(channel);
   }
 
   DecisionTally tally_;
   std::set<std::string> status_channels_;
+  std::set<std::pair<std::string, std::int32_t>> alarms_;  // id and revision
   std::optional<std::int64_t> first_utime_;
   Clock::time_point last_arrival_ = Clock::now();
 };
@@ -129,10 +145,11 @@ int Listen(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  const auto parser =
-      MakeToolParser("fallen-listen",
-                     "Prints detections as they come, and at the end how many frames were decided. "
-                     "Exit status 1 if a frame was lost.");
+  const auto parser = MakeToolParser(
+      "fallen-listen",
+      "Prints detections and alarms as they come, and at the end how many frames were "
+      "decided. "
+      "Exit status 1 if a frame was lost.");
   parser->add_option("--config", options.config, "Deployment (YAML)");
   parser->add_option("--lcm-url", options.lcm_url, "LCM URL");
   parser->add_option("--camera", options.camera, "Camera, as in the channel names");

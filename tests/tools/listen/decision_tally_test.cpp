@@ -47,5 +47,16 @@ TEST(DecisionTally, DescribesOnlyWhoWasAccepted) {
       "   2.50 s  frame   17  fallen person at (0.00, 0.00, 0.00) m world  p 0.250  250 cells");
 }
 
+TEST(DecisionTally, DescribesAlarms) {
+  FallAlarm alarm;
+  alarm.id = "r2-7";
+  alarm.change_utime = 3500000;
+  alarm.position = {1.25, -2, 0.5};
+  alarm.probability = 0.97;
+  alarm.views = 2;
+  EXPECT_EQ(DescribeAlarm(alarm, 1000000),
+            "   2.50 s  ALARM r2-7 raised at (1.25, -2.00, 0.50) m world  p 0.970  2 views");
+}
+
 }  // namespace
 }  // namespace fallen
