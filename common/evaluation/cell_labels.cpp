@@ -12,6 +12,7 @@ namespace {
 // A cell is the person's if most of its points are, and not the person's if hardly any is.
 constexpr double kMinPersonShare = 0.6;
 constexpr double kMaxOtherShare = 0.1;
+constexpr double kBoxMarginM = 0.1;
 
 }  // namespace
 
@@ -54,6 +55,19 @@ std::vector<CellLabel> CellLabeller::Label(const NdtMap& map) const {
     labels.push_back(share >= kMinPersonShare  ? CellLabel::kPerson
                      : share <= kMaxOtherShare ? CellLabel::kOther
                                                : CellLabel::kUnknown);
+  }
+  return labels;
+}
+
+std::vector<CellLabel> LabelByBox(const NdtMap& map, const std::optional<OrientedBox>& person_box) {
+  std::vector<CellLabel> labels(map.cells.size(), CellLabel::kOther);
+  if (!person_box) return labels;
+  OrientedBox around = *person_box;
+  around.size += Eigen::Vector3d::Constant(2 * kBoxMarginM);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Eigen::Vector3d mean = map.cells[i].mean.cast<double>();
+    if (!around.Contains(mean)) continue;
+    labels[i] = person_box->Contains(mean) ? CellLabel::kPerson : CellLabel::kUnknown;
   }
   return labels;
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "fallen/detection/detector.hpp"
+#include "fallen/geometry/oriented_box.hpp"
 
 namespace fallen {
 
@@ -48,5 +50,11 @@ class CellLabeller {
   double cell_size_m_;
   std::unordered_map<std::int64_t, Votes> votes_;
 };
+
+/// The same from a box alone, for recordings without label images: cells in the box are the
+/// person's, those within 0.1 m around it unknown (limbs and cells reach over the edges), all
+/// others are of something else. So a box must hold the person and little else above the floor.
+/// @param person_box  In the frame of `map`; nothing: no fallen person is there.
+std::vector<CellLabel> LabelByBox(const NdtMap& map, const std::optional<OrientedBox>& person_box);
 
 }  // namespace fallen

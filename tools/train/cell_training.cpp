@@ -17,13 +17,17 @@ struct FrameCells {
   std::vector<std::int32_t> other;
 };
 
-FrameCells EligibleCells(const ObservedFrame& frame, double max_height_m) {
+FrameCells EligibleCells(const ObservedFrame& frame, const TrainingConfig& config) {
+  const double max_height_m = config.segmentation.max_height_m;
+  const bool takes_others =
+      config.sampling.positives == PositiveCells::kInScene || !frame.person_box;
   FrameCells cells;
   for (std::size_t i = 0; i < frame.labels.size(); ++i) {
     const Eigen::Vector3d mean = frame.map.cells[i].mean.cast<double>();
     if (frame.map.ground.ok() && frame.map.ground.plane.SignedHeight(mean) > max_height_m) continue;
     if (frame.labels[i] == CellLabel::kPerson) cells.person.push_back(static_cast<int>(i));
-    if (frame.labels[i] == CellLabel::kOther) cells.other.push_back(static_cast<int>(i));
+    if (frame.labels[i] == CellLabel::kOther && takes_others)
+      cells.other.push_back(static_cast<int>(i));
   }
   return cells;
 }
@@ -45,10 +49,24 @@ struct FrameSamples {
   IronDescriptors::Matrix person_descriptors;
 };
 
-FrameSamples SampleFrame(const ObservedFrame& frame, const TrainingConfig& config,
+/// Nothing but the fallen person of a frame, as if alone in the world.
+ObservedFrame Isolate(const ObservedFrame& frame) {
+  ObservedFrame alone = frame;
+  alone.map.cells.clear();
+  for (std::size_t i = 0; i < frame.labels.size(); ++i)
+    if (frame.labels[i] == CellLabel::kPerson) alone.map.cells.push_back(frame.map.cells[i]);
+  alone.labels.assign(alone.map.cells.size(), CellLabel::kPerson);
+  return alone;
+}
+
+FrameSamples SampleFrame(const ObservedFrame& observed, const TrainingConfig& config,
                          double person_share, double other_share, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const FrameCells eligible = EligibleCells(frame, config.segmentation.max_height_m);
+  const bool isolates =
+      config.sampling.positives == PositiveCells::kIsolated && observed.person_box.has_value();
+  const ObservedFrame alone = isolates ? Isolate(observed) : ObservedFrame{};
+  const ObservedFrame& frame = isolates ? alone : observed;
+  const FrameCells eligible = EligibleCells(frame, config);
   const auto person = Thin(eligible.person, person_share, random);
   const auto other = Thin(eligible.other, other_share, random);
   std::vector<std::uint8_t> wanted(frame.map.cells.size(), 0);
@@ -82,14 +100,14 @@ CellSamples CollectCellSamples(std::span<const ObservedFrame* const> frames,
                                const TrainingProgress& progress) {
   double person_cells = 0, other_cells = 0;
   for (const ObservedFrame* frame : frames) {
-    const FrameCells cells = EligibleCells(*frame, config.segmentation.max_height_m);
+    const FrameCells cells = EligibleCells(*frame, config);
     person_cells += static_cast<double>(cells.person.size());
     other_cells += static_cast<double>(cells.other.size());
   }
   if (person_cells == 0 || other_cells == 0)
     throw std::runtime_error("training recordings hold " + std::to_string(person_cells) +
                              " cells of fallen persons and " + std::to_string(other_cells) +
-                             " others, expected both: are there label images?");
+                             " others, expected both: do the labels hold both?");
   const double person_share = config.sampling.max_person_cells / person_cells;
   const double other_share = config.sampling.max_other_cells / other_cells;
 

@@ -25,6 +25,8 @@ class Observer {
     if (!truth.labels.empty()) {
       labeller_.Add(frame.image, truth.labels, truth.person_label(), observed.map.T_map_camera);
       observed.labels = labeller_.Label(observed.map);
+    } else if (!truth.person_box || is_in_world) {
+      observed.labels = LabelByBox(observed.map, truth.person_box);
     }
     if (truth.person_box && is_in_world) {
       observed.person_box = truth.person_box;

@@ -16,7 +16,9 @@ namespace fallen {
 /// A frame as training sees it: the map, and what is a fallen person in it.
 struct ObservedFrame {
   NdtMap map;
-  std::vector<CellLabel> labels;  ///< one a cell; empty if the recording has no label images
+  /// One a cell, by the label image or else by the box; empty if there is a box but no pose that
+  /// would say where in the map it is.
+  std::vector<CellLabel> labels;
   std::optional<OrientedBox> person_box;  ///< map frame
   int cells_in_box = 0;
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fallen/classification/growing_neural_gas.hpp"
+#include "fallen/geometry/enum_names.hpp"
 #include "fallen/segmentation/cell_segmentation.hpp"
 #include "tools/train/observation.hpp"
 
@@ -22,9 +23,20 @@ constexpr auto EnumNames(ClusterScore) {
       {{ClusterScore::kMahalanobis, "mahalanobis"}, {ClusterScore::kBoosted, "boosted"}}};
 }
 
+/// Where the cells of fallen persons are taken from.
+enum class PositiveCells : std::int32_t {
+  kInScene = 0,   ///< from the scene, with what stands around in their descriptors
+  kIsolated = 1,  ///< free from ground and other objects, others from person-free frames: the paper
+};
+constexpr auto EnumNames(PositiveCells) {
+  return EnumTable<PositiveCells, 2>{
+      {{PositiveCells::kInScene, "in_scene"}, {PositiveCells::kIsolated, "isolated"}}};
+}
+
 /// Which cells and clusters are learnt from.
 struct SamplingConfig {
   CellFeatureSet features = CellFeatureSet::kIronAndShape;
+  PositiveCells positives = PositiveCells::kInScene;
   int max_person_cells = 400000;  ///< drawn from all frames alike
   int max_other_cells = 800000;
   int codebook_cells = 100000;  ///< descriptors shown to the codebook
@@ -37,6 +49,7 @@ struct SamplingConfig {
   template <class Visitor>
   void Visit(Visitor&& visit) {
     visit("features", features);
+    visit("positives", positives);
     visit("max_person_cells", max_person_cells);
     visit("max_other_cells", max_other_cells);
     visit("codebook_cells", codebook_cells);

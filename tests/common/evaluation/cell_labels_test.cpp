@@ -49,5 +49,13 @@ TEST(CellLabels, RefuseALabelImageOfAnotherSize) {
                std::invalid_argument);
 }
 
+TEST(CellLabels, FollowABoxWhereThereIsNoImage) {
+  const OrientedBox box{{0, 0, 1}, {1, 1, 1}, 0};
+  EXPECT_EQ(LabelByBox(MapWithCellsAt({0.45f, 0.55f, 0.65f}), box),
+            (std::vector<CellLabel>{CellLabel::kPerson, CellLabel::kUnknown, CellLabel::kOther}));
+  EXPECT_EQ(LabelByBox(MapWithCellsAt({0.45f}), std::nullopt),
+            (std::vector<CellLabel>{CellLabel::kOther}));
+}
+
 }  // namespace
 }  // namespace fallen

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/support/temporary_folder.hpp"
+#include "tests/tools/common/lying_scene.hpp"
+#include "tools/train/cell_training.hpp"
+#include "tools/train/observation.hpp"
+
+namespace fallen {
+namespace {
+
+/// A recording as users have it: depth images, poses, and a box in labels.yaml.
+ObservedRecording ObserveLabelledByBox(bool with_poses) {
+  const TemporaryFolder folder;
+  lying_scene::WriteDirectory(folder.path(), 2, lying_scene::With::kPerson, with_poses);
+  const OrientedBox box = lying_scene::Person();
+  std::ofstream(folder.path() / "labels.yaml")
+      << "person:\n  present: true\n  box:\n    center: [" << box.center.x() << ", "
+      << box.center.y() << ", " << box.center.z() << "]\n    size: [" << box.size.x() + 0.04 << ", "
+      << box.size.y() + 0.04 << ", " << box.size.z() + 0.04 << "]\n    yaw: " << box.yaw << "\n";
+  return ObserveRecording(folder.path(), {}, {}, {.frame_stride = 1, .single_frame_stride = 0});
+}
+
+std::vector<const ObservedFrame*> Pointers(const ObservedRecording& recording) {
+  std::vector<const ObservedFrame*> frames;
+  for (const ObservedFrame& frame : recording.frames) frames.push_back(&frame);
+  return frames;
+}
+
+TEST(BoxLabels, AreEnoughToTrainOn) {
+  const ObservedRecording recording = ObserveLabelledByBox(true);
+  const auto frames = Pointers(recording);
+  const CellSamples samples =
+      CollectCellSamples(frames, TrainingConfig{}, 1, [](const char*, double) {});
+  EXPECT_GT(std::count(samples.labels.begin(), samples.labels.end(), 1), 50);
+  EXPECT_GT(std::count(samples.labels.begin(), samples.labels.end(), -1), 50);
+  EXPECT_GT(samples.person_descriptors.rows(), 50);
+}
+
+TEST(BoxLabels, SayNothingWithoutAPose) {
+  const ObservedRecording recording = ObserveLabelledByBox(false);
+  ASSERT_EQ(recording.frames.size(), 2u);
+  EXPECT_TRUE(recording.frames[0].labels.empty());
+}
+
+TEST(IsolatedPositives, LeaveOutTheOtherCellsOfFramesWithAPerson) {
+  const ObservedRecording recording = ObserveLabelledByBox(true);
+  auto frames = Pointers(recording);
+  TrainingConfig config;
+  config.sampling.positives = PositiveCells::kIsolated;
+  EXPECT_THROW(CollectCellSamples(frames, config, 1, [](const char*, double) {}),
+               std::runtime_error);
+}
+
+TEST(IsolatedPositives, HaveNothingButThePersonAround) {
+  const ObservedRecording with_person = ObserveLabelledByBox(true);
+  ObservedFrame empty = with_person.frames[0];  // the same cells, nobody's
+  empty.person_box.reset();
+  std::fill(empty.labels.begin(), empty.labels.end(), CellLabel::kOther);
+  auto frames = Pointers(with_person);
+  frames.push_back(&empty);
+  TrainingConfig config;
+  config.sampling.positives = PositiveCells::kIsolated;
+  const CellSamples samples = CollectCellSamples(frames, config, 1, [](const char*, double) {});
+
+  ObservedFrame alone = with_person.frames[0];
+  std::vector<NdtCell> cells;
+  for (std::size_t i = 0; i < alone.labels.size(); ++i)
+    if (alone.labels[i] == CellLabel::kPerson) cells.push_back(alone.map.cells[i]);
+  const auto normals = ComputeNormals(cells, config.iron);
+  const std::vector<std::uint8_t> wanted(cells.size(), 1);
+  const IronDescriptors expected = ComputeIronDescriptors(cells, normals, wanted, config.iron);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!expected.valid(static_cast<int>(i))) continue;
+    ASSERT_LT(row, samples.person_descriptors.rows());
+    EXPECT_EQ(samples.person_descriptors.row(row),
+              expected.values.row(static_cast<Eigen::Index>(i)));
+    ++row;
+  }
+  EXPECT_GT(row, 20);
+}
+
+}  // namespace
+}  // namespace fallen
