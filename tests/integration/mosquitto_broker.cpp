@@ -76,7 +76,7 @@ MosquittoBroker::MosquittoBroker(const std::filesystem::path& folder) : folder_(
   std::ofstream(folder_ / "password") << kPassword << '\n';
   port_ = FreePort();
   std::ofstream(folder_ / "mosquitto.conf")
-      << "user root\nlistener " << port_ << " localhost\nsocket_domain ipv4\n"
+      << "user root\nlistener " << port_ << " 127.0.0.1\nsocket_domain ipv4\n"
       << "allow_anonymous false\npassword_file " << (folder_ / "passwords").string()
       << "\ncertfile " << (folder_ / "broker.crt").string() << "\nkeyfile "
       << (folder_ / "broker.key").string() << "\npersistence true\npersistence_location "
