@@ -84,6 +84,8 @@ void Scenario::Validate() const {
   Require(body > 0, "body", body, "a number > 0");
   Require(room > 0, "room", room, "a number > 0");
   Require(clutter >= 0 && clutter <= 50, "clutter", clutter, "0 to 50");
+  Require(moved_furniture >= 0 && moved_furniture <= 1, "moved_furniture", moved_furniture,
+          "0 to 1");
   Require(frames > 0 && frames <= 100000, "frames", frames, "1 to 100000");
   Require(rate_hz > 0 && rate_hz <= 100, "rate_hz", rate_hz, "a number in (0, 100]");
   Require(max_speed_m_s >= 0 && max_speed_m_s <= 2, "max_speed_m_s", max_speed_m_s, "0 to 2");

@@ -34,6 +34,7 @@ struct Scenario {
   RoomKind room_kind = RoomKind::kAny;
   FurniturePool furniture_pool = FurniturePool::kTrain;
   int clutter = 2;                       ///< small things standing about
+  double moved_furniture = 0;            ///< share of the room's pieces that stand elsewhere, [0, 1]
   std::vector<std::string> distractors;  ///< kinds, see DistractorKinds()
   bool distractors_near = false;         ///< as near to the person as there is room
 
@@ -66,6 +67,7 @@ struct Scenario {
     visit("room_kind", room_kind);
     visit("furniture_pool", furniture_pool);
     visit("clutter", clutter);
+    visit("moved_furniture", moved_furniture);
     visit("distractors", distractors);
     visit("distractors_near", distractors_near);
     visit("frames", frames);

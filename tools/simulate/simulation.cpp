@@ -10,6 +10,7 @@
 
 #include "tools/simulate/distractors.hpp"
 #include "tools/simulate/lying_props.hpp"
+#include "tools/simulate/moved_furniture.hpp"
 #include "tools/simulate/persons.hpp"
 #include "tools/simulate/resting_person.hpp"
 #include "tools/simulate/room_layout.hpp"
@@ -80,6 +81,8 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
     scene_ = FurnishRoom(scenario.room, scenario.furniture_pool, assets.furniture, scenario.clutter,
                          scenario.room_kind)
                  .scene;
+    Random moves = Random::Stream(static_cast<std::uint64_t>(scenario.room), "moved_furniture");
+    MoveFurniture(scene_, scenario.moved_furniture, moves);
   } else {
     scene_.room_size = {6, 6};
     scene_.shell = MakeShell(scene_.room_size, 2.5);
