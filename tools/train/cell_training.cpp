@@ -49,22 +49,12 @@ struct FrameSamples {
   IronDescriptors::Matrix person_descriptors;
 };
 
-/// Nothing but the fallen person of a frame, as if alone in the world.
-ObservedFrame Isolate(const ObservedFrame& frame) {
-  ObservedFrame alone = frame;
-  alone.map.cells.clear();
-  for (std::size_t i = 0; i < frame.labels.size(); ++i)
-    if (frame.labels[i] == CellLabel::kPerson) alone.map.cells.push_back(frame.map.cells[i]);
-  alone.labels.assign(alone.map.cells.size(), CellLabel::kPerson);
-  return alone;
-}
-
 FrameSamples SampleFrame(const ObservedFrame& observed, const TrainingConfig& config,
                          double person_share, double other_share, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const bool isolates =
       config.sampling.positives == PositiveCells::kIsolated && observed.person_box.has_value();
-  const ObservedFrame alone = isolates ? Isolate(observed) : ObservedFrame{};
+  const ObservedFrame alone = isolates ? IsolatePerson(observed) : ObservedFrame{};
   const ObservedFrame& frame = isolates ? alone : observed;
   const FrameCells eligible = EligibleCells(frame, config);
   const auto person = Thin(eligible.person, person_share, random);

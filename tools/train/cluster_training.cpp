@@ -51,7 +51,9 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
   ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
     progress("clusters", static_cast<double>(++done) / static_cast<double>(frames.size()));
     if (!frames[i]->is_positive()) return;
-    const SegmentedMap segmented = SegmentObserved(*frames[i], cells, config);
+    const bool isolates = config.sampling.positives == PositiveCells::kIsolated;
+    const SegmentedMap segmented =
+        SegmentObserved(isolates ? IsolatePerson(*frames[i]) : *frames[i], cells, config);
     for (const CellCluster& cluster : segmented.clusters)
       if (IsPerson(segmented, cluster, frames[i]->person_box, config.sampling.min_person_share))
         codes[i].push_back(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));

@@ -18,7 +18,8 @@ struct ClusterTraining {
   std::int64_t person_clusters = 0;  ///< that the Gaussian was fitted to
 };
 
-/// Learns codebook and Gaussian from the clusters that `cells` makes of the training frames.
+/// Learns codebook and Gaussian from the clusters that `cells` makes of the training frames; with
+/// PositiveCells::kIsolated, of nothing but the persons in them.
 /// @throws std::runtime_error if the segmentation finds too few persons to fit a Gaussian to.
 ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
                                   const IronDescriptors::Matrix& person_descriptors,

@@ -50,6 +50,15 @@ NdtConfig WithoutAccumulation(NdtConfig config) {
 
 bool ObservedFrame::is_positive() const { return person_box && cells_in_box >= kMinCellsInBox; }
 
+ObservedFrame IsolatePerson(const ObservedFrame& frame) {
+  ObservedFrame alone = frame;
+  alone.map.cells.clear();
+  for (std::size_t i = 0; i < frame.labels.size(); ++i)
+    if (frame.labels[i] == CellLabel::kPerson) alone.map.cells.push_back(frame.map.cells[i]);
+  alone.labels.assign(alone.map.cells.size(), CellLabel::kPerson);
+  return alone;
+}
+
 ObservedRecording ObserveRecording(const std::filesystem::path& log, const GroundConfig& ground,
                                    const NdtConfig& ndt, const ObservationConfig& config) {
   ObservedRecording observed;

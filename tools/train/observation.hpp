@@ -26,6 +26,10 @@ struct ObservedFrame {
   bool is_positive() const;
 };
 
+/// Nothing but the fallen person of a frame, as if alone in the world (the paper, Sec. IV-A): the
+/// cells that are labelled so, none if nothing is labelled.
+ObservedFrame IsolatePerson(const ObservedFrame& frame);
+
 /// One recording, mapped.
 struct ObservedRecording {
   RecordingOrigin origin;
