@@ -6,8 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "fallen/classification/cluster_features.hpp"
+#include "fallen/classification/hypothesis_selection.hpp"
 #include "fallen/classification/soft_threshold_encoding.hpp"
 
 namespace fallen {
@@ -42,19 +44,6 @@ PersonHypothesis Judge(const SegmentedMap& segmented, const CellCluster& cluster
       ClusterEvidence(segmented, cluster, hypothesis.box, code, model));
   hypothesis.is_person = hypothesis.probability >= min_probability;
   return hypothesis;
-}
-
-// Drops every hypothesis that lies near a better one.
-std::vector<PersonHypothesis> BestOfEachPlace(const std::vector<PersonHypothesis>& sorted,
-                                              double min_separation_m) {
-  std::vector<PersonHypothesis> kept;
-  for (const PersonHypothesis& candidate : sorted) {
-    const bool is_alone = std::none_of(kept.begin(), kept.end(), [&](const auto& better) {
-      return (better.centroid - candidate.centroid).template head<2>().norm() < min_separation_m;
-    });
-    if (is_alone) kept.push_back(candidate);
-  }
-  return kept;
 }
 
 }  // namespace
@@ -119,11 +108,7 @@ Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& mod
   decision.min_probability = model.calibration.MinProbability(config.false_positives_per_frame);
   for (const CellCluster& cluster : segmented.clusters)
     decision.hypotheses.push_back(Judge(segmented, cluster, model, decision.min_probability));
-  std::stable_sort(decision.hypotheses.begin(), decision.hypotheses.end(),
-                   [](const PersonHypothesis& a, const PersonHypothesis& b) {
-                     return a.probability > b.probability;
-                   });
-  decision.hypotheses = BestOfEachPlace(decision.hypotheses, config.min_separation_m);
+  decision.hypotheses = BestOfEachPlace(std::move(decision.hypotheses), config.min_separation_m);
   return decision;
 }
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fallen/classification/cluster_classification.hpp"
+#include "fallen/classification/hypothesis_selection.hpp"
 
 namespace fallen {
 namespace {
@@ -79,20 +79,26 @@ Rectangle SmallestRectangle(const Points2& hull, double margin) {
 }  // namespace
 
 OrientedBox FitUprightBox(const SegmentedMap& segmented, const CellCluster& cluster) {
-  if (cluster.cells.empty())
+  std::vector<Eigen::Vector3d> means;
+  means.reserve(cluster.cells.size());
+  for (const std::int32_t index : cluster.cells)
+    means.push_back(segmented.cells[index].cell.mean.cast<double>());
+  return FitUprightBox(means, segmented.cell_size_m / 2);
+}
+
+OrientedBox FitUprightBox(std::span<const Eigen::Vector3d> points, double margin) {
+  if (points.empty())
     throw std::invalid_argument("cluster_classification: the cluster has no cells");
-  const double margin = segmented.cell_size_m / 2;
-  const double first_z = segmented.cells[cluster.cells[0]].cell.mean.z();
-  double low = first_z;
-  double high = first_z;
-  Points2 points;
-  for (const std::int32_t index : cluster.cells) {
-    const Eigen::Vector3d mean = segmented.cells[index].cell.mean.cast<double>();
-    points.push_back(mean.head<2>());
-    low = std::min(low, mean.z());
-    high = std::max(high, mean.z());
+  double low = points[0].z();
+  double high = low;
+  Points2 ground;
+  ground.reserve(points.size());
+  for (const Eigen::Vector3d& point : points) {
+    ground.push_back(point.head<2>());
+    low = std::min(low, point.z());
+    high = std::max(high, point.z());
   }
-  Rectangle rectangle = SmallestRectangle(ConvexHull(std::move(points)), margin);
+  Rectangle rectangle = SmallestRectangle(ConvexHull(std::move(ground)), margin);
   if (rectangle.size.x() < rectangle.size.y()) {
     rectangle.size = rectangle.size.reverse().eval();
     rectangle.x_axis = {-rectangle.x_axis.y(), rectangle.x_axis.x()};

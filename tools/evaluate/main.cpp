@@ -19,12 +19,6 @@ namespace {
 using namespace fallen;
 namespace fs = std::filesystem;
 
-/// A detector to measure, and the name of its curve.
-struct Method {
-  std::string name;
-  DetectorOptions detector;
-};
-
 struct Options {
   std::vector<fs::path> logs;
   std::vector<std::string> compared;  // NAME=MODEL
@@ -35,22 +29,25 @@ struct Options {
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-std::vector<Method> MethodsOf(const Options& options) {
-  std::vector<Method> methods = {{"detector", options.detector}};
+std::vector<MethodChoice> MethodsOf(const Options& options) {
+  using Place = nlohmann::json::json_pointer;
+  std::vector<MethodChoice> methods = {
+      DetectorMethod("detector", Place("/detector"), options.detector)};
   for (const std::string& text : options.compared) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
       throw std::runtime_error("--compare: got '" + text + "', expected NAME=MODEL");
-    Method method{text.substr(0, equals), options.detector};
-    method.detector.model = text.substr(equals + 1);
-    methods.push_back(std::move(method));
+    DetectorOptions compared = options.detector;
+    compared.model = text.substr(equals + 1);
+    const std::string name = text.substr(0, equals);
+    methods.push_back(DetectorMethod(name, Place("/compared") / name, compared));
   }
   return methods;
 }
 
 /// Outcomes of every method on every log, method by method.
 std::vector<std::vector<SequenceOutcome>> EvaluateAll(const Options& options,
-                                                      const std::vector<Method>& methods) {
+                                                      const std::vector<MethodChoice>& methods) {
   const std::size_t logs = options.logs.size();
   std::vector<std::vector<SequenceOutcome>> outcomes(methods.size());
   for (auto& sequences : outcomes) sequences.resize(logs);
@@ -60,8 +57,8 @@ std::vector<std::vector<SequenceOutcome>> EvaluateAll(const Options& options,
   const std::size_t runs = methods.size() * logs;
   ParallelFor(static_cast<int>(runs), options.jobs, [&](int i) {
     const std::size_t method = i / logs, log = i % logs;
-    outcomes[method][log] =
-        EvaluateSequence(options.logs[log], MakeDetector(methods[method].detector));
+    const std::unique_ptr<EvaluatedMethod> fresh = methods[method].make();
+    outcomes[method][log] = EvaluateSequence(options.logs[log], *fresh);
     const std::lock_guard lock(mutex);
     bar.Update(static_cast<double>(++done) / static_cast<double>(runs));
   });
@@ -75,7 +72,7 @@ void WriteJson(const fs::path& path, const nlohmann::json& json) {
 }
 
 int Evaluate(const Options& options) {
-  const std::vector<Method> methods = MethodsOf(options);
+  const std::vector<MethodChoice> methods = MethodsOf(options);
   const auto outcomes = EvaluateAll(options, methods);
   nlohmann::json report, shown;
   std::vector<NamedCurve> curves;
@@ -85,7 +82,7 @@ int Evaluate(const Options& options) {
     nlohmann::json figures = FiguresJson(sequences, min_probability, options.bootstrap);
     figures["kinds"] = KindsJson(sequences, min_probability);
     shown[methods[m].name] = figures;
-    (m == 0 ? report["detector"] : report["compared"][methods[m].name]) = std::move(figures);
+    report[methods[m].place] = std::move(figures);
     if (m == 0) report["sequences"] = SequencesJson(sequences, min_probability);
     curves.push_back({methods[m].name, CurveOf(sequences)});
   }

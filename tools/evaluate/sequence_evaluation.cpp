@@ -28,15 +28,15 @@ void AddKinds(const GroundTruth& truth, std::vector<std::string>& kinds) {
 
 }  // namespace
 
-SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector detector) {
+SequenceOutcome EvaluateSequence(const std::filesystem::path& input, EvaluatedMethod& method) {
   SequenceOutcome sequence;
   sequence.log = input.string();
   std::vector<double> milliseconds;
   bool has_truth = false;
   const std::unique_ptr<FrameSource> recording = OpenFrameSource(input);
   for (std::int64_t number = 0; const std::optional<Frame> frame = recording->Next(); ++number) {
-    const FrameResult result = detector.Detect(*frame);
-    milliseconds.push_back(result.milliseconds.total);
+    const MethodFrame result = method.Detect(*frame);
+    milliseconds.push_back(result.milliseconds);
     sequence.min_probability = result.decision.min_probability;
     const std::optional<GroundTruth> truth = recording->Truth(*frame);
     if (!truth) continue;
@@ -48,8 +48,7 @@ SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector de
       ++sequence.unjudged_frames;
       continue;
     }
-    const int cells =
-        truth->person_box ? CountCellsInBox(result.foreground.map, *truth->person_box) : 0;
+    const int cells = truth->person_box ? CountCellsInBox(result.local_map, *truth->person_box) : 0;
     sequence.frame_numbers.push_back(number);
     sequence.frames.push_back(JudgeFrame(result.decision, truth->person_box, cells));
   }

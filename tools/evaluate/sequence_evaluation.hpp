@@ -3,16 +3,15 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "fallen/detection/detector.hpp"
 #include "fallen/evaluation/frame_outcome.hpp"
+#include "tools/evaluate/evaluated_method.hpp"
 
 namespace fallen {
 
-/// What a detector made of one recording.
+/// What a method made of one recording.
 struct SequenceOutcome {
   std::string log;
   std::string person;
@@ -28,8 +27,8 @@ struct SequenceOutcome {
   double min_probability = 0;  ///< threshold in force
 };
 
-/// Runs `detector`, a fresh one, over a log or import directory and judges every frame by its
-/// ground truth. @throws std::runtime_error if the input cannot be read or holds no ground truth.
-SequenceOutcome EvaluateSequence(const std::filesystem::path& input, Detector detector);
+/// Runs `method`, a fresh one, over a log or import directory and judges every frame by its ground
+/// truth. @throws std::runtime_error if the input cannot be read or holds no ground truth.
+SequenceOutcome EvaluateSequence(const std::filesystem::path& input, EvaluatedMethod& method);
 
 }  // namespace fallen

@@ -9,12 +9,10 @@
 #include "fallen/classification/soft_threshold_encoding.hpp"
 #include "fallen/evaluation/frame_outcome.hpp"
 #include "fallen/segmentation/parallel_for.hpp"
+#include "tools/train/operating_points.hpp"
 
 namespace fallen {
 namespace {
-
-// Rates at which the operating points are kept: what a user may ask for.
-constexpr double kRates[] = {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
 
 bool IsPerson(const SegmentedMap& segmented, const CellCluster& cluster,
               const std::optional<OrientedBox>& person_box, double min_share) {
@@ -140,16 +138,7 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
     outcomes.push_back(JudgeFrame(decision, frames[i]->person_box, frames[i]->cells_in_box));
   }
   result.tradeoff = ComputeTradeoff(outcomes);
-  result.calibration.operating_points.clear();
-  for (const double rate : kRates) {
-    const OperatingPoint* best = nullptr;
-    for (const OperatingPoint& point : result.tradeoff.points)
-      if (point.false_positives_per_frame <= rate && point.min_score <= 1) best = &point;
-    if (!best) continue;
-    auto& kept = result.calibration.operating_points;
-    if (kept.empty() || kept.back().min_probability < best->min_score)
-      kept.push_back({best->min_score, best->false_positives_per_frame, best->miss_rate});
-  }
+  result.calibration.operating_points = OperatingPointsOf(result.tradeoff);
   return result;
 }
 
