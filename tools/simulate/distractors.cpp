@@ -93,7 +93,7 @@ const std::map<std::string, Stoop>& Stoops() {
 
 const std::vector<std::string>& DistractorKinds() {
   static const std::vector<std::string> kinds = [] {
-    std::vector<std::string> names = {"dog", "cat", "bag", "standing_person", "sitting_person"};
+    std::vector<std::string> names = {"dog", "cat", "bag", kStandingPerson, "sitting_person"};
     for (const auto& [name, make] : Makers()) names.push_back(name);
     for (const auto& [name, kind] : Stoops()) names.push_back(name);
     names.insert(names.end(), {kResting, kSeated});
@@ -214,7 +214,7 @@ Distractor MakeDistractor(const std::string& kind, const FurnitureCatalogue& cat
     distractor.mesh = maker->second(random);
   } else if (const auto stoop = Stoops().find(kind); stoop != Stoops().end()) {
     distractor.mesh = MakeStoopingPerson(humans, bystander(), stoop->second, random);
-  } else if (kind == "standing_person") {
+  } else if (kind == kStandingPerson) {
     distractor.mesh = MakeStandingPerson(humans, bystander(), random);
   } else if (kind == "sitting_person") {
     const double seat = random.Uniform(0.42, 0.5);

@@ -12,6 +12,9 @@
 
 namespace fallen::sim {
 
+/// Somebody on their feet; also what becomes of a fallen person who gets up.
+inline constexpr char kStandingPerson[] = "standing_person";
+
 /// Things and beings that a careless detector takes for a fallen person.
 const std::vector<std::string>& DistractorKinds();
 

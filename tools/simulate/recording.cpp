@@ -29,13 +29,14 @@ StampedPose ToStampedPose(std::int64_t utime, const RobotPose& pose) {
   return stamped;
 }
 
-GroundTruth MakeGroundTruth(const Simulation& simulation, const Frame& frame) {
-  const Scene& scene = simulation.scene();
+GroundTruth MakeGroundTruth(const Simulation& simulation, int index, const Frame& frame) {
+  const Scene& scene = simulation.SceneAt(index);
   GroundTruth truth;
   truth.room = "room-" + std::to_string(simulation.scenario().room);
-  if (const auto person = simulation.person_index()) {
-    truth.person_box = scene.objects[*person].box;
-    truth.person = scene.objects[*person].name;
+  if (simulation.IsSomebodyLying(index)) {
+    const SceneObject& person = scene.objects[*simulation.person_index()];
+    truth.person_box = person.box;
+    truth.person = person.name;
   }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
@@ -54,7 +55,7 @@ EncodedFrame EncodeFrame(const Simulation& simulation, int index) {
   EncodedFrame encoded;
   encoded.utime = frame.utime;
   encoded.pose = EncodeMessage(ToMessage(ToStampedPose(frame.utime, frame.told_pose)));
-  encoded.truth = EncodeMessage(ToMessage(header, MakeGroundTruth(simulation, frame)));
+  encoded.truth = EncodeMessage(ToMessage(header, MakeGroundTruth(simulation, index, frame)));
   encoded.depth = EncodeMessage(
       ToMessage(StampedDepthImage{header, frame.image.depth, simulation.told_T_robot_camera()}));
   return encoded;

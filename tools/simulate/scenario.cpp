@@ -37,7 +37,7 @@ std::vector<std::string> DrawDistractors(bool person, Random random) {
   one_of(0.3, {kResting});
   one_of(0.25, {kSeated});
   one_of(0.3, {"lying_dog", "lying_dog", "sitting_dog", "standing_dog", "dog", "cat"});
-  one_of(0.35, {"standing_person", "sitting_person", "kneeling_person", "bending_person",
+  one_of(0.35, {kStandingPerson, "sitting_person", "kneeling_person", "bending_person",
                 "crouching_person"});
   one_of(0.4, {"pile", "blanket", "sleeping_bag", "air_mattress", "clothes", "rolled_carpet",
                "backpack_and_bag"});
@@ -86,6 +86,8 @@ void Scenario::Validate() const {
   Require(clutter >= 0 && clutter <= 50, "clutter", clutter, "0 to 50");
   Require(moved_furniture >= 0 && moved_furniture <= 1, "moved_furniture", moved_furniture,
           "0 to 1");
+  if (gets_up_after_s)
+    Require(*gets_up_after_s > 0, "gets_up_after_s", *gets_up_after_s, "a number > 0");
   Require(frames > 0 && frames <= 100000, "frames", frames, "1 to 100000");
   Require(rate_hz > 0 && rate_hz <= 100, "rate_hz", rate_hz, "a number in (0, 100]");
   Require(max_speed_m_s >= 0 && max_speed_m_s <= 2, "max_speed_m_s", max_speed_m_s, "0 to 2");

@@ -28,6 +28,8 @@ struct Scenario {
   Placement placement = Placement::kFree;
   bool blanket = false;           ///< over the person's legs
   bool half_hidden = false;  ///< drives, if there are some, past what hides half of the person
+  /// From then on the person stands elsewhere in the room, or has left it if it is too full [s].
+  std::optional<double> gets_up_after_s;
   std::optional<double> yaw_deg;  ///< of the line from pelvis to head in the world; any if missing
   bool furnished = true;          ///< false: bare room, the person in its middle
   int room = 1;                   ///< which one, > 0
@@ -61,6 +63,7 @@ struct Scenario {
     visit("placement", placement);
     visit("blanket", blanket);
     visit("half_hidden", half_hidden);
+    visit("gets_up_after_s", gets_up_after_s);
     visit("yaw_deg", yaw_deg);
     visit("furnished", furnished);
     visit("room", room);

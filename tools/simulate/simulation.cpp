@@ -91,6 +91,7 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   for (const SceneObject& object : scene_.objects) grid.Add(object.mesh);
   if (scenario.person) AddPerson(assets, grid);
   AddDistractors(assets, grid);
+  if (person_ && scenario.gets_up_after_s) LetGetUp(assets, grid);
 
   const SceneObject* target = DrawTarget(Random::Stream(seed, "target"));
   std::optional<Eigen::Vector2d> target_place;
@@ -120,6 +121,7 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   true_T_robot_camera_ = Perturb(told_T_robot_camera_, scenario.mounting_error_deg,
                                  scenario.mounting_error_m, Random::Stream(seed, "mounting"));
   caster_ = std::make_unique<RayCaster>(scene_);
+  if (later_) later_->caster = std::make_unique<RayCaster>(later_->scene);
 }
 
 Simulation::~Simulation() = default;
@@ -185,6 +187,34 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
   }
 }
 
+void Simulation::LetGetUp(const Assets& assets, ColumnGrid& grid) {
+  Random random = Random::Stream(static_cast<std::uint64_t>(scenario_.seed), "gets_up");
+  later_.emplace();
+  later_->scene = scene_;
+  std::vector<SceneObject>& objects = later_->scene.objects;
+  const std::string name = objects[*person_].name;
+  objects.erase(objects.begin() + static_cast<std::ptrdiff_t>(*person_));
+  TriangleMesh standing = MakeStandingPerson(assets.humans, DrawBodyShape(scenario_.body), random);
+  const auto place =
+      PlaceOnFloor(standing, Placement::kFree, std::nullopt, grid, later_->scene, random);
+  if (!place) return;
+  objects.push_back(PlaceObject(kStandingPerson, name, std::move(standing),
+                                {place->position.x(), place->position.y(), 0}, place->yaw));
+  grid.Add(objects.back().mesh);
+}
+
+bool Simulation::IsSomebodyLying(int index) const {
+  return person_ && (!later_ || index < *scenario_.gets_up_after_s * scenario_.rate_hz);
+}
+
+const Scene& Simulation::SceneAt(int index) const {
+  return later_ && !IsSomebodyLying(index) ? later_->scene : scene_;
+}
+
+const RayCaster& Simulation::CasterAt(int index) const {
+  return later_ && !IsSomebodyLying(index) ? *later_->caster : *caster_;
+}
+
 std::optional<FloorPose> Simulation::PlaceDistractor(const TriangleMesh& mesh,
                                                      const ColumnGrid& grid, Random& random) const {
   const Placement placement = random.Chance(0.3) ? Placement::kTouching : Placement::kFree;
@@ -220,13 +250,13 @@ Frame Simulation::TakeFrame(int index) const {
   frame.told_pose = told_path_[i];
   const std::uint64_t seed = MixBits(MixBits(static_cast<std::uint64_t>(scenario_.seed)) + i);
   frame.image =
-      TakePicture(*caster_, sensor_.intrinsics, ToTransform(frame.true_pose) * true_T_robot_camera_,
-                  sensor_.config, seed);
+      TakePicture(CasterAt(index), sensor_.intrinsics,
+                  ToTransform(frame.true_pose) * true_T_robot_camera_, sensor_.config, seed);
   return frame;
 }
 
 double Simulation::VisibleShare(int index) const {
-  if (!person_) return 0;
+  if (!IsSomebodyLying(index)) return 0;
   constexpr int kWidth = 160;  // [px], the view's quarter or half
   CameraIntrinsics intrinsics = sensor_.intrinsics;
   const double scale = static_cast<double>(kWidth) / intrinsics.width;

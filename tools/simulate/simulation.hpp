@@ -51,9 +51,14 @@ class Simulation {
   double VisibleShare(int index) const;
 
   const Scenario& scenario() const { return scenario_; }
+  /// At the beginning.
   const Scene& scene() const { return scene_; }
-  /// Index of the fallen person in the scene's objects, if there is one.
+  /// Index of the fallen person in that scene's objects, if there is one.
   std::optional<std::size_t> person_index() const { return person_; }
+  /// Whether picture `index` shows a time when somebody lies on the floor.
+  bool IsSomebodyLying(int index) const;
+  /// What is there in picture `index`.
+  const Scene& SceneAt(int index) const;
   const SettledPose& settled() const { return settled_; }
   Placement placement_reached() const { return placement_reached_; }
   const std::vector<RobotPose>& path() const { return path_; }
@@ -63,6 +68,8 @@ class Simulation {
  private:
   void AddPerson(const Assets& assets, ColumnGrid& grid);
   void AddDistractors(const Assets& assets, ColumnGrid& grid);
+  /// Plans what becomes of the person who gets up; `grid` gets the place where that person stands.
+  void LetGetUp(const Assets& assets, ColumnGrid& grid);
 
   std::optional<FloorPose> PlaceDistractor(const TriangleMesh& mesh, const ColumnGrid& grid,
                                            Random& random) const;
@@ -78,7 +85,15 @@ class Simulation {
   Placement placement_reached_ = Placement::kFree;
   Eigen::Isometry3d true_T_robot_camera_, told_T_robot_camera_;
   std::vector<RobotPose> path_, told_path_;
+  /// The room after the person has got up, with its caster; none if nobody does.
+  struct Later {
+    Scene scene;
+    std::unique_ptr<RayCaster> caster;
+  };
+  std::optional<Later> later_;
   std::unique_ptr<RayCaster> caster_;
+
+  const RayCaster& CasterAt(int index) const;
 };
 
 /// Camera on a robot, looking ahead: T_robot_camera, optical frame.

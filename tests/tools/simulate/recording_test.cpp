@@ -4,11 +4,14 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "fallen/messages/conversions.hpp"
 #include "fallen/messages/guarded_decoding.hpp"
 #include "fallen/messages/log_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/simulate/assets_fixture.hpp"
+#include "tools/simulate/distractors.hpp"
 
 namespace fallen::sim {
 namespace {
@@ -105,6 +108,32 @@ TEST_F(RecordingTest, WithoutAPersonNobodyIsLabelled) {
   EXPECT_FALSE(truth.person_box);
   EXPECT_EQ(truth.person_label(), 0);
   for (const LabelledObject& object : truth.objects) EXPECT_NE(object.category, kFallenPerson);
+}
+
+TEST_F(RecordingTest, WhoGetsUpLiesThereNoMoreAndStandsElsewhere) {
+  const std::string times = "person: true\nnoise: false\ndistractors: []\nrate_hz: 10\n";
+  const Simulation stays(Short(times), assets());
+  const Simulation gets_up(Short(times + "gets_up_after_s: 0.3"), assets());
+  const auto events = Record(gets_up, 2);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const GroundTruth truth =
+        FromMessage(*DecodeMessage<ground_truth_t>(events[3 * i + 1].data).message);
+    const auto count = [&](const std::string& category) {
+      return std::count_if(
+          truth.objects.begin(), truth.objects.end(),
+          [&](const LabelledObject& object) { return object.category == category; });
+    };
+    EXPECT_EQ(truth.person_box.has_value(), i < 3) << i;
+    EXPECT_EQ(count(kFallenPerson), i < 3 ? 1 : 0) << i;
+    EXPECT_EQ(count(kStandingPerson), i < 3 ? 0 : 1) << i;
+    EXPECT_EQ(gets_up.VisibleShare(static_cast<int>(i)) > 0, i < 3) << i;
+  }
+  const OrientedBox lying = gets_up.scene().objects[*gets_up.person_index()].box;
+  EXPECT_EQ(lying, stays.scene().objects[*stays.person_index()].box);
+  const OrientedBox standing = gets_up.SceneAt(3).objects.back().box;
+  EXPECT_GT(standing.size.z(), 1.3);
+  EXPECT_GT((standing.center - lying.center).head<2>().norm(), 0.3);
+  EXPECT_EQ(&stays.SceneAt(4), &stays.scene());
 }
 
 TEST_F(RecordingTest, TheRoomDoesNotDependOnWhoIsInIt) {

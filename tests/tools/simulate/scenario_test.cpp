@@ -64,6 +64,8 @@ TEST(Scenario, ErrorsNameFileLineKeyAndWhatWasExpected) {
   EXPECT_THAT(ErrorOf("seed: 1\npose: dancing"),
               HasSubstr("s.yaml:2: pose: got 'dancing', expected one of"));
   EXPECT_THAT(ErrorOf("frames: many"), HasSubstr("s.yaml:1: frames: got 'many'"));
+  EXPECT_THAT(ErrorOf("gets_up_after_s: 0"),
+              HasSubstr("gets_up_after_s: got 0, expected a number > 0"));
   EXPECT_THAT(ErrorOf("frames: 0"), HasSubstr("frames: got 0, expected 1 to"));
   EXPECT_THAT(ErrorOf("seed: 1\nwidth: 500"),
               HasSubstr("s.yaml:2: width: got 500, expected 320 or 640"));
