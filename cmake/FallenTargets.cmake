@@ -15,8 +15,8 @@ target_compile_options(fallen_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-vi
 target_compile_options(fallen_warnings INTERFACE -ffp-contract=off)
 
 # fallen_library(<name> SOURCES <file>... DEPENDS <public target>... PRIVATE <private target>...)
-# makes fallen_<name>, alias fallen::<name>, installed and exported. A library without sources is a
-# header-only one.
+# makes fallen_<name>, alias fallen::<name>, installed and exported; its headers are those of its folder. A
+# library without sources is a header-only one.
 function(fallen_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   set(target fallen_${name})
@@ -35,7 +35,8 @@ function(fallen_library name)
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} ${scope} ${ARG_DEPENDS})
   install(TARGETS ${target} EXPORT FallenPersonDetectorTargets)
-  install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/fallen/${name}"
+  get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/fallen/${folder}"
           FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 

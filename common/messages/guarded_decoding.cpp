@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "fallen/baseline_model_t.hpp"
 #include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/environment_map_t.hpp"
@@ -79,6 +80,7 @@ template Decoded<fallen_persons_t> DecodeMessage(std::span<const std::uint8_t>) 
 template Decoded<ground_truth_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<service_status_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<model_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
+template Decoded<baseline_model_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<environment_map_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<fall_alarm_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;
 template Decoded<fall_alarm_ack_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;

@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "fallen/messages/baseline_files.hpp"
 #include "fallen/messages/guarded_decoding.hpp"
 #include "fallen/messages/log_format.hpp"
 #include "fallen/service_status_t.hpp"
@@ -52,8 +53,8 @@ MessageFacts InspectMessage(std::span<const std::uint8_t> bytes) noexcept {
     if (bytes.size() < sizeof facts.hash) return facts;
     facts.hash = log_format::ReadBigEndian<std::uint64_t>(bytes.data());
     InspectAsAny<pose_t, depth_image_t, ndt_map_t, clusters_t, fallen_persons_t, ground_truth_t,
-                 service_status_t, model_t, environment_map_t, fall_alarm_t, fall_alarm_ack_t>(
-        bytes, facts);
+                 service_status_t, model_t, baseline_model_t, environment_map_t, fall_alarm_t,
+                 fall_alarm_ack_t>(bytes, facts);
   } catch (const std::exception& error) {
     facts.error = error.what();
   }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fallen/messages/conversions.hpp"
+#include "fallen/messages/classifier_conversion.hpp"
 #include "fallen/messages/map_conversion.hpp"
 #include "fallen/messages/message_checks.hpp"
 #include "fallen/messages/message_limits.hpp"
@@ -14,35 +15,6 @@ const std::string kModel = "model_t";
 // A code word more is a dimension of the covariance more: beyond it no training set is large
 // enough.
 constexpr std::int64_t kMaxUnits = 4096;
-
-trees_t TreesToMessage(const BoostedTrees& trees) {
-  trees_t message{};
-  message.feature_count = trees.feature_count;
-  message.root = trees.roots;
-  message.tree_count = static_cast<std::int32_t>(trees.roots.size());
-  message.node_count = static_cast<std::int32_t>(trees.nodes.size());
-  for (const BoostedTrees::Node& node : trees.nodes) {
-    message.node_feature.push_back(node.feature);
-    message.node_threshold.push_back(node.threshold);
-    message.node_left.push_back(node.left);
-    message.node_value.push_back(node.value);
-  }
-  return message;
-}
-
-BoostedTrees TreesFromMessage(const std::string& field, const trees_t& message) {
-  checks::Count(field + ".tree_count", message.tree_count, message.root.size());
-  for (const std::size_t count : {message.node_feature.size(), message.node_threshold.size(),
-                                  message.node_left.size(), message.node_value.size()})
-    checks::Count(field + ".node_count", message.node_count, count);
-  BoostedTrees trees;
-  trees.feature_count = message.feature_count;
-  trees.roots = message.root;
-  for (std::size_t i = 0; i < message.node_feature.size(); ++i)
-    trees.nodes.push_back({message.node_feature[i], message.node_threshold[i], message.node_left[i],
-                           message.node_value[i]});
-  return trees;
-}
 
 void SegmentationToMessage(const SegmentationConfig& config, model_t& message) {
   message.smoothing_radius_m = config.smoothing_radius_m;
@@ -86,15 +58,7 @@ void ClassifierToMessage(const ClusterModel& model, model_t& message) {
       message.gaussian_covariance.back().push_back(covariance(row, column));
   }
   message.cluster_trees = TreesToMessage(model.trees);
-  message.calibration_slope = model.calibration.slope;
-  message.calibration_intercept = model.calibration.intercept;
-  for (const auto& point : model.calibration.operating_points) {
-    message.operating_point_min_probability.push_back(point.min_probability);
-    message.operating_point_false_positives_per_frame.push_back(point.false_positives_per_frame);
-    message.operating_point_miss_rate.push_back(point.miss_rate);
-  }
-  message.operating_point_count =
-      static_cast<std::int32_t>(model.calibration.operating_points.size());
+  CalibrationToMessage(model.calibration, message);
 }
 
 // Rows of a matrix, each as long as it should be, all finite.
@@ -112,23 +76,6 @@ Matrix MatrixFromRows(const std::string& field, const std::vector<std::vector<Va
   return matrix;
 }
 
-Calibration CalibrationFromMessage(const model_t& message) {
-  const auto count = message.operating_point_count;
-  checks::Count(kModel + ".operating_point_count", count,
-                message.operating_point_min_probability.size());
-  checks::Count(kModel + ".operating_point_count", count,
-                message.operating_point_false_positives_per_frame.size());
-  checks::Count(kModel + ".operating_point_count", count, message.operating_point_miss_rate.size());
-  Calibration calibration;
-  calibration.slope = message.calibration_slope;
-  calibration.intercept = message.calibration_intercept;
-  for (std::int32_t i = 0; i < count; ++i)
-    calibration.operating_points.push_back({message.operating_point_min_probability[i],
-                                            message.operating_point_false_positives_per_frame[i],
-                                            message.operating_point_miss_rate[i]});
-  return calibration;
-}
-
 ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iron) {
   checks::InRange(kModel + ".unit_count", message.unit_count, 1, kMaxUnits);
   checks::InRange(kModel + ".dimension", message.dimension, iron.dimension(), iron.dimension());
@@ -144,7 +91,7 @@ ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iro
                        MatrixFromRows<Eigen::MatrixXd>(kModel + ".gaussian_covariance",
                                                        message.gaussian_covariance, units, units));
   model.trees = TreesFromMessage(kModel + ".cluster_trees", message.cluster_trees);
-  model.calibration = CalibrationFromMessage(message);
+  model.calibration = CalibrationFromMessage(kModel, message);
   return model;
 }
 

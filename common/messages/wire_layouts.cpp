@@ -3,6 +3,7 @@
 //
 // The types of lcmtypes/ once more, for the walk before the decode. A test reads the .lcm files and
 // compares.
+#include "fallen/baseline_model_t.hpp"
 #include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/environment_map_t.hpp"
@@ -157,15 +158,14 @@ constexpr Field kServiceStatusFields[] = {{kStruct, "header", 1, 1, &kHeader},
                                           {kInt64, "resident_bytes"}};
 constexpr Layout kServiceStatus{"service_status_t", kServiceStatusFields};
 
-constexpr Field kTreesFields[] = {
-    {kInt32, "feature_count"},
-    {kInt32, "tree_count"},
-    {kInt32, "root", "tree_count"},
-    {kInt32, "node_count"},
-    {kInt32, "node_feature", "node_count"},
-    {kFloat, "node_threshold", "node_count"},
-    {kInt32, "node_left", "node_count"},
-    {kFloat, "node_value", "node_count"}};
+constexpr Field kTreesFields[] = {{kInt32, "feature_count"},
+                                  {kInt32, "tree_count"},
+                                  {kInt32, "root", "tree_count"},
+                                  {kInt32, "node_count"},
+                                  {kInt32, "node_feature", "node_count"},
+                                  {kFloat, "node_threshold", "node_count"},
+                                  {kInt32, "node_left", "node_count"},
+                                  {kFloat, "node_value", "node_count"}};
 constexpr Layout kTrees{"trees_t", kTreesFields};
 
 constexpr Field kModelFields[] = {
@@ -195,6 +195,28 @@ constexpr Field kModelFields[] = {
     {kDouble, "operating_point_false_positives_per_frame", "operating_point_count"},
     {kDouble, "operating_point_miss_rate", "operating_point_count"}};
 constexpr Layout kModel{"model_t", kModelFields};
+
+constexpr Field kBaselineModelFields[] = {
+    {kString, "description"},
+    {kDouble, "max_range_m"},
+    {kDouble, "ground_clearance_m"},
+    {kDouble, "ground_clearance_per_sq_m"},
+    {kDouble, "max_height_m"},
+    {kDouble, "leaf_m"},
+    {kDouble, "normal_radius_m"},
+    {kDouble, "cluster_tolerance_m"},
+    {kInt32, "min_cluster_points"},
+    {kInt32, "layers"},
+    {kDouble, "layer_height_m"},
+    {kInt32, "normal_bins"},
+    {kStruct, "trees", 1, 1, &kTrees},
+    {kDouble, "calibration_slope"},
+    {kDouble, "calibration_intercept"},
+    {kInt32, "operating_point_count"},
+    {kDouble, "operating_point_min_probability", "operating_point_count"},
+    {kDouble, "operating_point_false_positives_per_frame", "operating_point_count"},
+    {kDouble, "operating_point_miss_rate", "operating_point_count"}};
+constexpr Layout kBaselineModel{"baseline_model_t", kBaselineModelFields};
 
 constexpr Field kEnvironmentMapFields[] = {
     {kDouble, "cell_size_m"}, {kString, "description"}, {kStruct, "cells", 1, 1, &kNdtCells}};
@@ -257,6 +279,10 @@ const Layout& LayoutOf<service_status_t>() {
 template <>
 const Layout& LayoutOf<model_t>() {
   return kModel;
+}
+template <>
+const Layout& LayoutOf<baseline_model_t>() {
+  return kBaselineModel;
 }
 template <>
 const Layout& LayoutOf<environment_map_t>() {

@@ -41,4 +41,8 @@ struct MethodChoice {
 MethodChoice DetectorMethod(const std::string& name, const nlohmann::json::json_pointer& place,
                             const DetectorOptions& options);
 
+/// The comparison detector, on the same frames: `model` as MakeBaselineDetector takes it. The local
+/// map is what `options` make of the depth images, as for the detector.
+MethodChoice BaselineMethod(const std::string& model, const DetectorOptions& options);
+
 }  // namespace fallen

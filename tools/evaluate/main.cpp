@@ -23,6 +23,8 @@ struct Options {
   std::vector<fs::path> logs;
   std::vector<std::string> compared;  // NAME=MODEL
   DetectorOptions detector;
+  bool with_baseline = false;
+  std::string baseline_model;
   std::optional<fs::path> json;
   std::vector<fs::path> plots;
   BootstrapConfig bootstrap;
@@ -42,6 +44,8 @@ std::vector<MethodChoice> MethodsOf(const Options& options) {
     const std::string name = text.substr(0, equals);
     methods.push_back(DetectorMethod(name, Place("/compared") / name, compared));
   }
+  if (options.with_baseline)
+    methods.push_back(BaselineMethod(options.baseline_model, options.detector));
   return methods;
 }
 
@@ -102,6 +106,14 @@ int main(int argc, char** argv) {
   parser->add_option("LOG", options.logs, "Recordings with ground truth")->required();
   AddDetectorOptions(*parser, options.detector);
   parser->add_option("--json", options.json, "Write figures here, sequence by sequence too");
+  CLI::Option* const baseline = parser->add_flag(
+      "--baseline", options.with_baseline,
+      "Measure the comparison detector too, on the same frames: Euclidean clusters and layers of "
+      "surface normals");
+  parser
+      ->add_option("--baseline-model", options.baseline_model,
+                   "Its model (fallen-train --baseline); default: the shipped")
+      ->needs(baseline);
   parser
       ->add_option("--compare", options.compared,
                    "NAME=MODEL: measure another model too, on the same frames; repeatable")

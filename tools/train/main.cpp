@@ -1,19 +1,22 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 
+#include "fallen/messages/baseline_files.hpp"
 #include "fallen/messages/model_files.hpp"
-#include "fallen/segmentation/parallel_for.hpp"
 #include "fallen/service/configuration.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/common/tool.hpp"
+#include "tools/train/baseline_training.hpp"
 #include "tools/train/model_training.hpp"
+#include "tools/train/observed_recordings.hpp"
 
 namespace {
 
@@ -24,6 +27,7 @@ struct Options {
   std::vector<fs::path> logs;
   std::vector<fs::path> validation;
   fs::path model;
+  bool is_baseline = false;
   std::optional<fs::path> config;
   std::optional<fs::path> training;
   fs::path report;
@@ -51,68 +55,76 @@ class StepProgress {
   std::unique_ptr<ProgressBar> bar_;
 };
 
-std::vector<ObservedRecording> Observe(const std::vector<fs::path>& logs,
-                                       const Configuration& deployment,
-                                       const TrainingConfig& config, int jobs,
-                                       const TrainingProgress& progress) {
-  std::vector<ObservedRecording> recordings(logs.size());
-  std::atomic<std::size_t> done = 0;
-  ParallelFor(static_cast<int>(logs.size()), jobs, [&](int i) {
-    recordings[i] =
-        ObserveRecording(logs[i], deployment.ground, deployment.ndt, config.observation);
-    progress("mapping", static_cast<double>(++done) / static_cast<double>(logs.size()));
-  });
-  return recordings;
+// Training and validation recordings, observed; no person or room on both sides.
+template <class ObserveTraining, class ObserveValidation>
+auto Observe(const Options& options, std::int64_t seed, const TrainingProgress& progress,
+             const ObserveTraining& observe_training, const ObserveValidation& observe_validation) {
+  auto training = ObserveRecordings(options.logs, options.jobs, progress, observe_training);
+  if (options.validation.empty()) {
+    auto split_off = SplitOffValidation(training, options.validation_share, seed);
+    return std::pair(std::move(training), std::move(split_off));
+  }
+  auto validation =
+      ObserveRecordings(options.validation, options.jobs, progress, observe_validation);
+  RequireDisjoint(OriginsOf(training), OriginsOf(validation));
+  return std::pair(std::move(training), std::move(validation));
 }
 
-std::vector<RecordingOrigin> Origins(const std::vector<ObservedRecording>& recordings) {
-  std::vector<RecordingOrigin> origins;
-  for (const ObservedRecording& recording : recordings) origins.push_back(recording.origin);
-  return origins;
+void WriteReport(const fs::path& path, const nlohmann::json& report) {
+  if (path.empty()) return;
+  std::ofstream file(path);
+  file << report.dump(2) << "\n";
+  if (!file.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// Moves the recordings of the validation side out of `recordings`.
-std::vector<ObservedRecording> SplitOff(std::vector<ObservedRecording>& recordings, double share,
-                                        std::int64_t seed) {
-  const RecordingSplit split =
-      SplitByPersonAndRoom(Origins(recordings), share, static_cast<std::uint64_t>(seed));
-  std::vector<ObservedRecording> training, validation;
-  for (const std::size_t i : split.training) training.push_back(std::move(recordings[i]));
-  for (const std::size_t i : split.validation) validation.push_back(std::move(recordings[i]));
-  recordings = std::move(training);
-  return validation;
-}
-
-int Train(const Options& options) {
-  const Configuration deployment = LoadConfiguration(options.config);
-  const TrainingConfig config = LoadTrainingConfig(options.training);
-  auto steps = std::make_shared<StepProgress>();
-  const TrainingProgress progress = [steps](const char* step, double share) {
+TrainingProgress ShowProgress() {
+  return [steps = std::make_shared<StepProgress>()](const char* step, double share) {
     (*steps)(step, share);
   };
+}
 
-  std::vector<ObservedRecording> training =
-      Observe(options.logs, deployment, config, options.jobs, progress);
-  std::vector<ObservedRecording> validation;
-  if (options.validation.empty()) {
-    validation = SplitOff(training, options.validation_share, config.sampling.seed);
-  } else {
-    validation = Observe(options.validation, deployment, config, options.jobs, progress);
-    RequireDisjoint(Origins(training), Origins(validation));
-  }
-
+int TrainDetector(const Options& options) {
+  const Configuration deployment = LoadConfiguration(options.config);
+  const TrainingConfig config = LoadTrainingConfig(options.training);
+  TrainingProgress progress = ShowProgress();
+  const auto observe = [&](const fs::path& log) {
+    return ObserveRecording(log, deployment.ground, deployment.ndt, config.observation);
+  };
+  const auto [training, validation] =
+      Observe(options, config.sampling.seed, progress, observe, observe);
   TrainedModel trained =
       TrainModel(training, validation, config, deployment.ndt.cell_size_m, options.jobs, progress);
+  progress = {};  // the bar ends
   trained.model.description = options.description;
   trained.report["description"] = options.description;
-  steps.reset();
   SaveModel(options.model, trained.model);
-  if (!options.report.empty()) {
-    std::ofstream file(options.report);
-    file << trained.report.dump(2) << "\n";
-    if (!file.flush()) throw std::runtime_error(options.report.string() + ": cannot be written");
-  }
+  WriteReport(options.report, trained.report);
   std::cout << SummaryText(trained.report);
+  return 0;
+}
+
+int TrainComparison(const Options& options) {
+  const Configuration deployment = LoadConfiguration(options.config);
+  const BaselineTrainingConfig config = LoadBaselineTrainingConfig(options.training);
+  config.Validate();
+  TrainingProgress progress = ShowProgress();
+  // Cells are counted where figures are measured: on recordings split off the others too.
+  const BaselineObservation learnt{deployment.ground, deployment.ndt, config.baseline,
+                                   config.sampling.frame_stride, options.validation.empty()};
+  const BaselineObservation measured{deployment.ground, deployment.ndt, config.baseline,
+                                     config.sampling.validation_frame_stride, true};
+  const auto [training, validation] = Observe(
+      options, config.sampling.seed, progress,
+      [&](const fs::path& log) { return ObserveForBaseline(log, learnt); },
+      [&](const fs::path& log) { return ObserveForBaseline(log, measured); });
+  TrainedBaseline trained = TrainBaseline(training, validation, config, options.jobs, progress);
+  progress = {};
+  trained.model.description = options.description;
+  trained.report["description"] = options.description;
+  SaveBaselineModel(options.model, trained.model);
+  WriteReport(options.report, trained.report);
+  trained.report.erase("settings");
+  std::cout << trained.report.dump(2) << "\n";
   return 0;
 }
 
@@ -126,6 +138,8 @@ int main(int argc, char** argv) {
                      "and rooms: split off the logs, or named with --validation.");
   parser->add_option("LOG", options.logs, "Recordings to train on")->required();
   parser->add_option("-o,--output", options.model, "Model file to write")->required();
+  parser->add_flag("--baseline", options.is_baseline,
+                   "Train the comparison detector instead: clusters and layers of surface normals");
   parser->add_option("--validation", options.validation, "Recordings of other persons and rooms");
   parser->add_option("--validation-share", options.validation_share,
                      "Share of the recordings to split off, if none are named");
@@ -135,5 +149,7 @@ int main(int argc, char** argv) {
   parser->add_option("--description", options.description, "Text that the model file carries");
   parser->add_option("--jobs", options.jobs, "Threads; the result does not depend on them")
       ->check(CLI::Range(1, 256));
-  return RunTool(*parser, argc, argv, [&] { return Train(options); });
+  return RunTool(*parser, argc, argv, [&] {
+    return options.is_baseline ? TrainComparison(options) : TrainDetector(options);
+  });
 }

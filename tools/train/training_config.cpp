@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fallen/service/yaml_fields.hpp"
+#include "tools/train/settings_file.hpp"
 
 namespace fallen {
 namespace {
@@ -34,11 +34,7 @@ void TrainingConfig::Validate() const {
 }
 
 TrainingConfig LoadTrainingConfig(const std::optional<std::filesystem::path>& path) {
-  TrainingConfig config;
-  if (!path) return config;
-  const YAML::Node node = LoadYamlMap(path->string());
-  ReadYamlSection(node, YamlPlace{path->string(), ""}, config);
-  return config;
+  return LoadSettings<TrainingConfig>(path);
 }
 
 }  // namespace fallen

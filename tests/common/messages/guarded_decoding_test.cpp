@@ -66,6 +66,10 @@ model_t Sample() {
   return samples::SampleModelMessage();
 }
 template <>
+baseline_model_t Sample() {
+  return ToMessage(samples::SampleBaselineModel());
+}
+template <>
 environment_map_t Sample() {
   return ToMessage(EnvironmentMap{0.05, samples::SampleCells(5)}, "sample");
 }
@@ -100,9 +104,9 @@ class GuardedDecoding : public testing::Test {
   }
 };
 
-using Types =
-    testing::Types<pose_t, depth_image_t, ndt_map_t, clusters_t, fallen_persons_t, ground_truth_t,
-                   service_status_t, model_t, environment_map_t, fall_alarm_t, fall_alarm_ack_t>;
+using Types = testing::Types<pose_t, depth_image_t, ndt_map_t, clusters_t, fallen_persons_t,
+                             ground_truth_t, service_status_t, model_t, baseline_model_t,
+                             environment_map_t, fall_alarm_t, fall_alarm_ack_t>;
 TYPED_TEST_SUITE(GuardedDecoding, Types);
 
 TYPED_TEST(GuardedDecoding, GivesBackWhatWasEncoded) {

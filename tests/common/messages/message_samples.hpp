@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fallen/messages/baseline_files.hpp"
 #include "fallen/messages/conversions.hpp"
 #include "fallen/service_status_t.hpp"
 
@@ -189,6 +190,30 @@ inline model_t SampleModelMessage() {
   model.operating_point_min_probability = {0.5, 0.7};
   model.operating_point_false_positives_per_frame = {0.1, 0.01};
   model.operating_point_miss_rate = {0.2, 0.3};
+  return model;
+}
+
+/// A baseline of few features, with values that no rounding leaves alone.
+inline BaselineModel SampleBaselineModel() {
+  BaselineModel model;
+  model.description = "two recordings, seed 1";
+  model.config = {.max_range_m = 4.9,
+                  .ground_clearance_m = 0.031,
+                  .ground_clearance_per_sq_m = 0.0021,
+                  .max_height_m = 0.61,
+                  .leaf_m = 0.021,
+                  .normal_radius_m = 0.071,
+                  .cluster_tolerance_m = 0.051,
+                  .min_cluster_points = 41,
+                  .layers = 2,
+                  .layer_height_m = 0.13,
+                  .normal_bins = 3};
+  model.trees.feature_count = 2 * (3 * 3 + 3) + 13;
+  model.trees.roots = {0, 3};
+  model.trees.nodes = {{2, 0.1f, 1, 0}, {-1, 0, 0, -0.3f}, {-1, 0, 0, 0.7f}, {-1, 0, 0, 0.01f}};
+  model.calibration.slope = 2.345;
+  model.calibration.intercept = 1.0 / 3;
+  model.calibration.operating_points = {{0.5, 0.1, 0.05}, {0.75, 0.01, 0.2}};
   return model;
 }
 

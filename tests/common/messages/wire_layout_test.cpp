@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "fallen/baseline_model_t.hpp"
 #include "fallen/clusters_t.hpp"
 #include "fallen/depth_image_t.hpp"
 #include "fallen/environment_map_t.hpp"
@@ -88,8 +89,8 @@ TEST(WireLayout, AgreesWithEveryLcmFile) {
   for (const Layout* layout :
        {&LayoutOf<pose_t>(), &LayoutOf<depth_image_t>(), &LayoutOf<ndt_map_t>(),
         &LayoutOf<clusters_t>(), &LayoutOf<fallen_persons_t>(), &LayoutOf<ground_truth_t>(),
-        &LayoutOf<service_status_t>(), &LayoutOf<model_t>(), &LayoutOf<environment_map_t>(),
-        &LayoutOf<fall_alarm_t>(), &LayoutOf<fall_alarm_ack_t>()})
+        &LayoutOf<service_status_t>(), &LayoutOf<model_t>(), &LayoutOf<baseline_model_t>(),
+        &LayoutOf<environment_map_t>(), &LayoutOf<fall_alarm_t>(), &LayoutOf<fall_alarm_ack_t>()})
     Compare(*layout, structs, seen);
   for (const auto& [name, members] : structs)
     EXPECT_EQ(seen.count(name), 1u) << name << " has no layout";

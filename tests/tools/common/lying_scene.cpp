@@ -97,4 +97,17 @@ void WriteDirectory(const std::filesystem::path& directory, int frames, With wit
   }
 }
 
+void WriteLabels(const std::filesystem::path& directory, With with) {
+  std::ofstream labels(directory / "labels.yaml");
+  if (with == With::kNobody) {
+    labels << "person:\n  present: false\n";
+    return;
+  }
+  const OrientedBox box = Person();
+  labels << "person:\n  present: true\n  box:\n    center: [" << box.center.x() << ", "
+         << box.center.y() << ", " << box.center.z() << "]\n    size: [" << box.size.x() + 0.04
+         << ", " << box.size.y() + 0.04 << ", " << box.size.z() + 0.04 << "]\n    yaw: " << box.yaw
+         << "\n";
+}
+
 }  // namespace fallen::lying_scene

@@ -30,4 +30,7 @@ Frame Render(std::int64_t utime, double robot_x, With with);
 /// Writes a recording directory of the room: `frames` at 10 Hz, 2 cm apart. With poses if wanted.
 void WriteDirectory(const std::filesystem::path& directory, int frames, With with, bool with_poses);
 
+/// Writes its labels.yaml: the block with 2 cm around it, or nobody.
+void WriteLabels(const std::filesystem::path& directory, With with);
+
 }  // namespace fallen::lying_scene

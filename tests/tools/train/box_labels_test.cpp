@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/lying_scene.hpp"
@@ -17,11 +16,7 @@ namespace {
 ObservedRecording ObserveLabelledByBox(bool with_poses) {
   const TemporaryFolder folder;
   lying_scene::WriteDirectory(folder.path(), 2, lying_scene::With::kPerson, with_poses);
-  const OrientedBox box = lying_scene::Person();
-  std::ofstream(folder.path() / "labels.yaml")
-      << "person:\n  present: true\n  box:\n    center: [" << box.center.x() << ", "
-      << box.center.y() << ", " << box.center.z() << "]\n    size: [" << box.size.x() + 0.04 << ", "
-      << box.size.y() + 0.04 << ", " << box.size.z() + 0.04 << "]\n    yaw: " << box.yaw << "\n";
+  lying_scene::WriteLabels(folder.path(), lying_scene::With::kPerson);
   return ObserveRecording(folder.path(), {}, {}, {.frame_stride = 1, .single_frame_stride = 0});
 }
 
