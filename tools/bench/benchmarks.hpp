@@ -29,4 +29,21 @@ void RegisterPeerBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
 /// PclVoxelGridCovariance (its NDT) and PclSacSegmentation. The clouds are made beforehand.
 void RegisterPclBenchmarks(const std::shared_ptr<BenchSequence>& sequence);
 
+/// Registers Baseline, the comparison detector on the same frames with the mounting known, and its
+/// steps beside ours: PclNormalEstimation of the baseline's thinned cloud beside CellNormals of the
+/// frame's cells, PclEuclideanClusters beside Dbscan, both on the cells' means. The first is
+/// skipped without a baseline model.
+void RegisterBaselineBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
+                                const DetectorOptions& options);
+
+/// Registers CellsToDecision/n: all stages after the mapping on maps of 500 to 8000 cells, with the
+/// pairs of cells that descriptors compare. Skipped without a model.
+void RegisterCostBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
+                            const DetectorOptions& options);
+
+/// Registers MapSearch/n, FlannMapSearch/n and MapLoad/n on environment maps of 10^3 to 10^6 cells:
+/// background subtraction of a frame, FLANN's nearest neighbours of the same cells, and reading the
+/// file until the first frame can come.
+void RegisterEnvironmentBenchmarks(const std::shared_ptr<BenchSequence>& sequence);
+
 }  // namespace fallen

@@ -57,12 +57,17 @@ int main(int argc, char** argv) {
 
   return fallen::RunTool(*parser, argc, argv, [&] {
     InitializeBenchmark(argv[0], parser->remaining());
+    std::shared_ptr<fallen::BenchSequence> first;
     for (fallen::BenchSequence& chosen : fallen::ChooseSequences(recording, camera, max_frames)) {
       const auto sequence = std::make_shared<fallen::BenchSequence>(std::move(chosen));
+      if (!first) first = sequence;
       fallen::RegisterStageBenchmarks(sequence, options);
       fallen::RegisterPeerBenchmarks(sequence, options);
       fallen::RegisterPclBenchmarks(sequence);
+      fallen::RegisterBaselineBenchmarks(sequence, options);
     }
+    fallen::RegisterCostBenchmarks(first, options);
+    fallen::RegisterEnvironmentBenchmarks(first);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
     return 0;
