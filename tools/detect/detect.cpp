@@ -13,6 +13,7 @@
 #include "fallen/service/configuration.hpp"
 #include "tools/common/partial_file.hpp"
 #include "tools/common/progress_bar.hpp"
+#include "tools/detect/frame_alarms.hpp"
 #include "tools/detect/frame_pacer.hpp"
 #include "tools/detect/result_log.hpp"
 #include "tools/detect/stage_medians.hpp"
@@ -68,9 +69,11 @@ std::string Note(const DetectSummary& summary) {
 
 DetectSummary RunDetect(const DetectOptions& options) {
   Detector detector = MakeDetector(options.detector);
-  const CaptureConfig capture = LoadConfiguration(options.detector.config).capture;
+  const Configuration configuration = LoadConfiguration(options.detector.config);
   const std::unique_ptr<FrameSource> recording =
-      OpenFrameSource(options.input, options.camera, capture.T_robot_camera());
+      OpenFrameSource(options.input, options.camera, configuration.capture.T_robot_camera());
+  std::optional<FrameAlarms> alarms;
+  if (options.alarms) alarms.emplace(configuration);
   LineWriter lines(options.json);
   std::unique_ptr<ResultLog> log;
   if (options.output) log = std::make_unique<ResultLog>(*options.output, recording->camera());
@@ -90,9 +93,11 @@ DetectSummary RunDetect(const DetectOptions& options) {
       summary.persons += CountAccepted(result->decision);
       times.push_back(result->milliseconds);
       if (lines.is_stdout()) progress.Clear();
-      lines.Write(
-          FrameJson(frame->utime, index, result->decision, result->milliseconds, options.listed));
-      if (log) log->Write(*frame, *result);
+      std::optional<std::vector<NumberedAlarm>> changes;
+      if (alarms) changes = alarms->Add(*frame, result->decision);
+      lines.Write(FrameJson(frame->utime, index, result->decision, result->milliseconds,
+                            options.listed, changes));
+      if (log) log->Write(*frame, *result, changes.value_or(std::vector<NumberedAlarm>{}));
     }
     progress.Update(recording->share_done(), Note(summary));
   }
@@ -102,6 +107,7 @@ DetectSummary RunDetect(const DetectOptions& options) {
   if (unusable.count > 0) summary.damage.example = unusable.example;
   summary.damage.count += unusable.count;
   summary.median_milliseconds = MedianTimes(times);
+  if (alarms) summary.alarms = alarms->Summary();
   if (summary.frames == 0)
     throw std::runtime_error(options.input.string() + ": got no depth image that can be used (" +
                              summary.damage.example + "), expected at least one");
@@ -116,6 +122,7 @@ std::string SummaryLine(const DetectSummary& summary) {
                      std::to_string(summary.persons) + " damaged " +
                      std::to_string(summary.damage.count);
   if (summary.dropped > 0) line += " dropped " + std::to_string(summary.dropped);
+  if (!summary.alarms.empty()) line += " " + summary.alarms;
   return line;
 }
 

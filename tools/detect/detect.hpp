@@ -21,6 +21,7 @@ struct DetectOptions {
   std::optional<std::filesystem::path> output;  ///< log of the stages' messages
   std::string json = "-";                       ///< file of one line a frame; "-": stdout
   ListedPersons listed = ListedPersons::kAccepted;
+  bool alarms = false;    ///< fuse decisions into alarms
   bool realtime = false;  ///< at the recording's pace, dropping what comes too late
 };
 
@@ -31,12 +32,14 @@ struct DetectSummary {
   std::int64_t dropped = 0;    ///< too late for --realtime
   Damage damage;
   StageTimes median_milliseconds;
+  std::string alarms;  ///< what became of them, see FrameAlarms::Summary; "" if not asked for
 };
 
 /// Runs the detector over a recording. @throws std::runtime_error for bad input or output.
 DetectSummary RunDetect(const DetectOptions& options);
 
-/// "frames 98 decisions 98 persons 3 damaged 0"; with " dropped n" if there are any.
+/// "frames 98 decisions 98 persons 3 damaged 0"; with " dropped n" if there are any, and the
+/// alarms if they were asked for.
 std::string SummaryLine(const DetectSummary& summary);
 
 }  // namespace fallen

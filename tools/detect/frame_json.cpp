@@ -40,14 +40,32 @@ Json ListPersons(const Decision& decision, ListedPersons listed) {
   return persons;
 }
 
+Json ListAlarms(const std::vector<NumberedAlarm>& changes) {
+  Json alarms = Json::array();
+  for (const NumberedAlarm& numbered : changes) {
+    const FallAlarm& alarm = numbered.alarm;
+    alarms.push_back({{"event_id", alarm.id},
+                      {"revision", alarm.revision},
+                      {"event_type", EnumName(alarm.change)},
+                      {"position", ToJson(alarm.position)},
+                      {"box", ToJson(alarm.box)},
+                      {"probability", alarm.probability},
+                      {"views", alarm.views},
+                      {"frames", alarm.frames}});
+  }
+  return alarms;
+}
+
 }  // namespace
 
 std::string FrameJson(std::int64_t utime, std::int64_t index, const Decision& decision,
-                      const StageTimes& milliseconds, ListedPersons listed) {
-  const Json line = {{"utime", utime},
-                     {"frame", index},
-                     {"persons", ListPersons(decision, listed)},
-                     {"milliseconds", ToJson(milliseconds)}};
+                      const StageTimes& milliseconds, ListedPersons listed,
+                      const std::optional<std::vector<NumberedAlarm>>& alarms) {
+  Json line = {{"utime", utime},
+               {"frame", index},
+               {"persons", ListPersons(decision, listed)},
+               {"milliseconds", ToJson(milliseconds)}};
+  if (alarms) line["alarms"] = ListAlarms(*alarms);
   return line.dump();
 }
 

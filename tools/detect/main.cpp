@@ -23,6 +23,9 @@ void AddOptions(CLI::App& parser, fallen::DetectOptions& options, bool& all_cand
                     "LCM log for the messages that the services would publish");
   parser.add_flag("--all-candidates", all_candidates,
                   "List every cluster, with \"accepted\" to tell persons from the others");
+  parser.add_flag("--alarms", options.alarms,
+                  "Fuse the decisions into alarms as fallen-alarm does: lines list what changes, "
+                  "--output gets FALL_ALARM");
   CLI::Option* realtime =
       parser.add_flag("--realtime", options.realtime,
                       "At the recording's pace; frames that come too late are dropped and counted");

@@ -54,6 +54,21 @@ TEST(FrameJson, ListsAcceptedOnesOrAllWithTheDifference) {
   EXPECT_TRUE(nobody["persons"].empty());
 }
 
+TEST(FrameJson, ListsAlarmsWhereTheyWereAskedFor) {
+  EXPECT_FALSE(
+      nlohmann::json::parse(FrameJson(0, 0, {}, {}, ListedPersons::kAccepted)).contains("alarms"));
+  NumberedAlarm numbered;
+  numbered.alarm.id = "robot-1";
+  numbered.alarm.change = AlarmChange::kRaised;
+  numbered.alarm.position = {1, 2, 0.5};
+  const auto json = nlohmann::json::parse(
+      FrameJson(0, 0, {}, {}, ListedPersons::kAccepted, std::vector<NumberedAlarm>{numbered}));
+  ASSERT_EQ(json["alarms"].size(), 1u);
+  EXPECT_EQ(json["alarms"][0]["event_id"], "robot-1");
+  EXPECT_EQ(json["alarms"][0]["event_type"], "raised");
+  EXPECT_EQ(json["alarms"][0]["position"], nlohmann::json({1, 2, 0.5}));
+}
+
 TEST(FrameJson, NumbersReadBackAsTheSameDoubles) {
   const Decision decision = TwoClusters();
   const auto json = nlohmann::json::parse(FrameJson(0, 0, decision, {}, ListedPersons::kAccepted));
