@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "fallen/iron/eigen_lanes.hpp"
 #include "fallen/iron/iron_descriptor.hpp"
@@ -39,9 +41,11 @@ CellNormal NormalOf(const EigenBatch& batch, std::size_t lane, const IronConfig&
 // of a bin edge (see PairBinning), and so agree with the reference in every count. Closed forms are
 // no faster than this many lanes, and their signs cost 40 % of the descriptors a count.
 void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
-                    std::vector<CellNormal>& normals) {
+                    std::span<CellNormal> normals) {
   config.Validate();
-  normals.resize(cells.size());
+  if (normals.size() != cells.size())
+    throw std::invalid_argument("iron: got room for " + std::to_string(normals.size()) +
+                                " normals, expected one a cell, " + std::to_string(cells.size()));
   MatrixBatch batch;
   EigenBatch solved;
   for (std::size_t begin = 0; begin < cells.size(); begin += kMostLanes) {
@@ -58,6 +62,12 @@ void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
       normals[begin + lane] =
           IsFinite(cells[begin + lane]) ? NormalOf(solved, lane, config) : CellNormal{};
   }
+}
+
+void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
+                    std::vector<CellNormal>& normals) {
+  normals.resize(cells.size());
+  ComputeNormals(cells, config, std::span(normals));
 }
 
 std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config) {

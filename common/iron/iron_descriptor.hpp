@@ -52,6 +52,9 @@ std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells,
 /// Likewise, into memory that is there.
 void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
                     std::vector<CellNormal>& normals);
+/// @param normals  As many as there are cells. @throws std::invalid_argument if they are not.
+void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
+                    std::span<CellNormal> normals);
 
 /// Descriptors of all cells, one row each.
 struct IronDescriptors {

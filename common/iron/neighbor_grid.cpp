@@ -71,4 +71,36 @@ void NeighborGrid::Build(std::span<const Eigen::Vector3f> points, float bucket_m
   }
 }
 
+NearestPoint NeighborGrid::FindNearest(const Eigen::Vector3f& query, float radius_m) const {
+  NearestPoint nearest;
+  nearest.sq_distance = radius_m * radius_m;
+  const auto look_at = [&](std::int32_t begin, std::int32_t end) {
+    for (std::int32_t k = begin; k < end; ++k) {
+      const float sq_distance = (sorted_points_[k] - query).squaredNorm();
+      if (sq_distance > nearest.sq_distance) continue;
+      const bool as_near = nearest.index >= 0 && sq_distance == nearest.sq_distance;
+      if (as_near && sorted_index_[k] > nearest.index) continue;
+      nearest = {sorted_index_[k], sq_distance};
+    }
+  };
+  const Eigen::Vector3i own = Bucket(query.array());
+  const std::int32_t bucket = (own.z() * size_.y() + own.y()) * size_.x() + own.x();
+  look_at(bucket_begin_[bucket], bucket_begin_[bucket + 1]);
+
+  // Nearer points lie within this distance, most often within the same bucket. What rounding may
+  // take from a distance is given back.
+  const float left = nearest.index >= 0 ? std::sqrt(nearest.sq_distance) : radius_m;
+  const Eigen::Array3f reach =
+      left + 4 * std::numeric_limits<float>::epsilon() * (query.array().abs() + radius_m);
+  const Eigen::Vector3i first = Bucket(query.array() - reach), last = Bucket(query.array() + reach);
+  if (first != last)
+    for (int z = first.z(); z <= last.z(); ++z)
+      for (int y = first.y(); y <= last.y(); ++y) {
+        const std::int32_t row = (z * size_.y() + y) * size_.x();
+        look_at(bucket_begin_[row + first.x()], bucket_begin_[row + last.x() + 1]);
+      }
+  if (nearest.index < 0) nearest = {};
+  return nearest;
+}
+
 }  // namespace fallen

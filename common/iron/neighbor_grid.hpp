@@ -18,6 +18,12 @@ struct CellRun {
   std::int32_t end;
 };
 
+/// A point and how far it is.
+struct NearestPoint {
+  std::int32_t index = -1;                                     ///< as the point was given; -1: none
+  float sq_distance = std::numeric_limits<float>::infinity();  ///< [m^2]
+};
+
 /// Fixed-radius neighbour search over points of one frame, by a voxel grid instead of a tree.
 ///
 /// Found once a frame, used by descriptors, smoothing and clustering alike.
@@ -88,6 +94,11 @@ class NeighborGrid {
     }
   }
 
+  /// The point nearest to `query`, no farther than `radius_m`; of several as near, the one of the
+  /// smallest index. Quick where a point lies close by: only the buckets that could hold a nearer
+  /// one are looked at.
+  NearestPoint FindNearest(const Eigen::Vector3f& query, float radius_m) const;
+
   std::size_t size() const { return sorted_points_.size(); }
   std::span<const Eigen::Vector3f> sorted_points() const { return sorted_points_; }
   /// Index that the point at a position of `sorted_points()` was given with.
@@ -95,12 +106,12 @@ class NeighborGrid {
 
  private:
   Eigen::Vector3i Bucket(const Eigen::Array3f& p) const {  // clamped to the grid
-    const Eigen::Array3f scaled = ((p - origin_) * inverse_bucket_).floor();
-    return scaled.max(0.0f).min(last_).cast<int>();
+    const Eigen::Array3f scaled = (p - origin_) * inverse_bucket_;
+    return scaled.max(0.0f).min(last_).cast<int>();  // not negative: rounds down
   }
 
   int BucketX(float x) const {
-    const float scaled = std::floor((x - origin_.x()) * inverse_bucket_);
+    const float scaled = (x - origin_.x()) * inverse_bucket_;
     return static_cast<int>(std::min(std::max(scaled, 0.0f), last_.x()));
   }
 

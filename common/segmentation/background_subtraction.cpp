@@ -3,19 +3,20 @@
 #include "fallen/segmentation/background_subtraction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "fallen/iron/neighbor_grid.hpp"
+#include "fallen/simd/lanes.hpp"
 
 namespace fallen {
 namespace {
 
-constexpr std::int32_t kNone = -1;     // index of nothing found
 constexpr float kMinBucket_m = 0.05F;  // of the search grid, for thresholds near zero
 
 [[noreturn]] void Fail(const std::string& what) {
@@ -50,13 +51,6 @@ double Threshold(const BackgroundConfig& config, const Eigen::Vector3f& normal_e
          config.static_threshold_m;
 }
 
-// A cell that has an environment cell near.
-struct Match {
-  std::size_t cell;
-  std::int32_t nearest;
-  double distance_m;
-};
-
 std::vector<Eigen::Vector3f> MeansOf(const std::vector<NdtCell>& cells) {
   std::vector<Eigen::Vector3f> means;
   means.reserve(cells.size());
@@ -74,11 +68,6 @@ void BackgroundConfig::Validate() const {
 // The environment's cells in a grid: a search looks at the few buckets around a place, however
 // large the map is.
 struct BackgroundSubtractor::Index {
-  struct Neighbor {
-    std::int32_t index = kNone;  // of the nearest environment cell
-    float sq_distance = std::numeric_limits<float>::infinity();
-  };
-
   Index(const EnvironmentMap& environment, const BackgroundConfig& config)
       : cell_size_m(environment.cell_size_m),
         radius_m(static_cast<float>(config.static_threshold_m + config.dynamic_threshold_m)),
@@ -88,21 +77,23 @@ struct BackgroundSubtractor::Index {
       normals.push_back(cell_normal.normal);
   }
 
-  // The nearest within the radius; of several as near, the one of the smallest index.
-  Neighbor NearestTo(const Eigen::Vector3f& place) const {
-    Neighbor nearest;
-    grid.ForEachWithin(place, radius_m, [&](std::int32_t index, float sq_distance) {
-      if (sq_distance > nearest.sq_distance) return;
-      if (sq_distance == nearest.sq_distance && index > nearest.index) return;
-      nearest = {index, sq_distance};
-    });
-    return nearest;
-  }
-
   double cell_size_m;
   float radius_m;
   NeighborGrid grid;
   std::vector<Eigen::Vector3f> normals;
+};
+
+// Cells that have an environment cell near, so near that the normals decide. Gathered until they
+// fill the lanes in which normals are computed.
+struct BackgroundSubtractor::OpenCells {
+  struct Match {
+    std::size_t cell;
+    std::int32_t nearest;  // environment cell
+    double distance_m;
+  };
+  std::size_t count = 0;
+  std::array<Match, kMostLanes> matches;
+  std::array<NdtCell, kMostLanes> cells;
 };
 
 BackgroundSubtractor::BackgroundSubtractor(const BackgroundConfig& config) : config_(config) {
@@ -125,12 +116,17 @@ bool BackgroundSubtractor::has_environment() const { return index_ != nullptr; }
 
 ForegroundMap BackgroundSubtractor::Subtract(NdtMap map) const {
   ForegroundMap foreground;
-  foreground.is_foreground.assign(map.cells.size(), 1);
   foreground.map = std::move(map);
+  Subtract(foreground);
+  return foreground;
+}
+
+void BackgroundSubtractor::Subtract(ForegroundMap& foreground) const {
   const std::vector<NdtCell>& cells = foreground.map.cells;
+  foreground.is_foreground.assign(cells.size(), 1);
   if (!has_environment()) {
     foreground.status = BackgroundStatus::kNoEnvironmentMap;
-    return foreground;
+    return;
   }
   if (foreground.map.cell_size_m != index_->cell_size_m)
     Fail("the map's cell size is " + std::to_string(foreground.map.cell_size_m) +
@@ -138,31 +134,38 @@ ForegroundMap BackgroundSubtractor::Subtract(NdtMap map) const {
          " m: make an environment map of the same cell size");
   if (foreground.map.frame != MapFrame::kWorld) {
     foreground.status = BackgroundStatus::kNoPose;
-    return foreground;
+    return;
   }
 
   foreground.status = BackgroundStatus::kSubtracted;
-  // Normals decide only between the smallest and the largest threshold.
-  std::vector<Match> open;
-  std::vector<NdtCell> open_cells;
+  OpenCells open;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i].mean.allFinite()) continue;
-    const Index::Neighbor nearest = index_->NearestTo(cells[i].mean);
-    if (nearest.index == kNone) continue;
+    const NearestPoint nearest = index_->grid.FindNearest(cells[i].mean, index_->radius_m);
+    if (nearest.index < 0) continue;
     const double distance_m = std::sqrt(static_cast<double>(nearest.sq_distance));
     if (distance_m < config_.static_threshold_m) {
       foreground.is_foreground[i] = 0;
       continue;
     }
-    open.push_back({i, nearest.index, distance_m});
-    open_cells.push_back(cells[i]);
+    open.matches[open.count] = {i, nearest.index, distance_m};
+    open.cells[open.count] = cells[i];
+    if (++open.count == open.cells.size()) DecideByNormals(open, foreground);
   }
-  const std::vector<CellNormal> normals = ComputeNormals(open_cells);
-  for (std::size_t k = 0; k < open.size(); ++k)
-    foreground.is_foreground[open[k].cell] =
-        !(open[k].distance_m <
-          Threshold(config_, index_->normals[open[k].nearest], normals[k].normal));
-  return foreground;
+  DecideByNormals(open, foreground);
+}
+
+// Normals decide only between the smallest and the largest threshold.
+void BackgroundSubtractor::DecideByNormals(OpenCells& open, ForegroundMap& foreground) const {
+  std::array<CellNormal, kMostLanes> normals;
+  ComputeNormals(std::span(open.cells).first(open.count), IronConfig{},
+                 std::span(normals).first(open.count));
+  for (std::size_t k = 0; k < open.count; ++k) {
+    const OpenCells::Match& match = open.matches[k];
+    foreground.is_foreground[match.cell] =
+        !(match.distance_m < Threshold(config_, index_->normals[match.nearest], normals[k].normal));
+  }
+  open.count = 0;
 }
 
 }  // namespace fallen

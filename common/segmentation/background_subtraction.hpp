@@ -74,8 +74,15 @@ class BackgroundSubtractor {
   /// @throws std::invalid_argument if the map's cell size differs from the environment map's.
   ForegroundMap Subtract(NdtMap map) const;
 
+  /// Likewise for the map that `foreground` holds: sets its flags and its status, in the memory
+  /// that is there.
+  void Subtract(ForegroundMap& foreground) const;
+
  private:
   struct Index;
+  struct OpenCells;
+  void DecideByNormals(OpenCells& open, ForegroundMap& foreground) const;
+
   std::unique_ptr<Index> index_;
   BackgroundConfig config_;
 };

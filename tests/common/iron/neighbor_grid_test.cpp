@@ -86,6 +86,39 @@ TEST(NeighborGrid, WidensItsBucketsForPointsFarApart) {
     ASSERT_EQ(Found(grid, point, 0.5f), BruteForce(points, point, 0.5f));
 }
 
+NearestPoint PlainNearest(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& query,
+                          float radius_m) {
+  NearestPoint nearest;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float sq_distance = (points[i] - query).squaredNorm();
+    if (sq_distance <= radius_m * radius_m && sq_distance < nearest.sq_distance)
+      nearest = {static_cast<std::int32_t>(i), sq_distance};
+  }
+  return nearest;
+}
+
+// Each point twice, so that two are always as near.
+TEST(NeighborGrid, FindsTheNearestAsBruteForceDoes) {
+  for (const Eigen::Vector3f& center :
+       {Eigen::Vector3f(0, 0, 0), Eigen::Vector3f(1000, -5000, 80)}) {
+    std::vector<Eigen::Vector3f> points = RandomPoints(300, 1, center, 8);
+    points.insert(points.end(), points.begin(), points.begin() + 300);
+    for (const float bucket_m : {0.04f, 0.08f, 0.5f}) {
+      const NeighborGrid grid(points, bucket_m);
+      for (const Eigen::Vector3f& query : RandomPoints(2000, 1.3f, center, 9))
+        for (const float radius_m : {0.0f, 0.08f, 0.2f}) {
+          const NearestPoint found = grid.FindNearest(query, radius_m);
+          const NearestPoint expected = PlainNearest(points, query, radius_m);
+          ASSERT_EQ(found.index, expected.index);
+          ASSERT_EQ(found.sq_distance, expected.sq_distance);
+        }
+      for (std::size_t i = 0; i < 300; ++i)
+        ASSERT_EQ(grid.FindNearest(points[i], 0.08f).index, static_cast<int>(i));
+    }
+  }
+  EXPECT_EQ(NeighborGrid({}, 0.5f).FindNearest({1, 2, 3}, 10).index, -1);
+}
+
 TEST(NeighborGrid, ReportsSquaredDistances) {
   const std::vector<Eigen::Vector3f> points = {{0, 0, 0}, {3, 4, 0}};
   const NeighborGrid grid(points, 1);
