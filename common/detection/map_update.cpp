@@ -18,17 +18,23 @@ std::optional<Eigen::Isometry3d> CameraPose(const Frame& frame) {
 
 NdtMap UpdateMap(NdtMapper& mapper, const Frame& frame, const GroundConfig& config,
                  StageTimes* milliseconds) {
+  NdtMap map;
+  UpdateMap(mapper, frame, config, map, milliseconds);
+  return map;
+}
+
+void UpdateMap(NdtMapper& mapper, const Frame& frame, const GroundConfig& config, NdtMap& map,
+               StageTimes* milliseconds) {
   Stopwatch stopwatch;
   const GroundEstimate ground = EstimateGround(frame.image, frame.T_robot_camera, config);
   const double ground_ms = stopwatch.LapMilliseconds();
-  NdtMap map = mapper.Update(frame.utime, frame.image, CameraPose(frame), ground);
-  map.view = MakeCameraView(frame.image);
+  mapper.Update(frame.utime, frame.image, CameraPose(frame), ground, map);
+  MakeCameraView(frame.image, map.view);
   const double ndt_ms = stopwatch.LapMilliseconds();
   if (milliseconds) {
     milliseconds->ground = ground_ms;
     milliseconds->ndt = ndt_ms;
   }
-  return map;
 }
 
 }  // namespace fallen

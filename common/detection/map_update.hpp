@@ -16,5 +16,8 @@ namespace fallen {
 /// @throws std::invalid_argument if the image, a transform or `config` is out of range.
 NdtMap UpdateMap(NdtMapper& mapper, const Frame& frame, const GroundConfig& config,
                  StageTimes* milliseconds = nullptr);
+/// Likewise, into memory that is there.
+void UpdateMap(NdtMapper& mapper, const Frame& frame, const GroundConfig& config, NdtMap& map,
+               StageTimes* milliseconds = nullptr);
 
 }  // namespace fallen

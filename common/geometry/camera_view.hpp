@@ -36,5 +36,7 @@ inline constexpr int kMaxViewDepth_mm = 32767;
 /// @throws std::invalid_argument if the image is malformed.
 /// Deterministic. Looks at 25 pixels a block.
 CameraView MakeCameraView(const DepthImage& image);
+/// Likewise, into memory that is there.
+void MakeCameraView(const DepthImage& image, CameraView& view);
 
 }  // namespace fallen

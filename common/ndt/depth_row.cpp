@@ -22,6 +22,37 @@ template <class Floats, class Ints>
   offset = p - (__builtin_convertvector(index, Floats) + 0.5f) * g.cell_size_m;
 }
 
+// Writes x, y, z and 1 of each lane one after the other.
+template <int kLanes, class Floats>
+[[gnu::always_inline]] inline void StorePoints(const Floats& x, const Floats& y, const Floats& z,
+                                               float* to) {
+  const Floats one = Floats{} + 1.0f;
+  if constexpr (kLanes == 4) {
+    const Floats xy_low = __builtin_shufflevector(x, y, 0, 4, 1, 5);
+    const Floats xy_high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+    const Floats z1_low = __builtin_shufflevector(z, one, 0, 4, 1, 5);
+    const Floats z1_high = __builtin_shufflevector(z, one, 2, 6, 3, 7);
+    Store(Floats(__builtin_shufflevector(xy_low, z1_low, 0, 1, 4, 5)), to);
+    Store(Floats(__builtin_shufflevector(xy_low, z1_low, 2, 3, 6, 7)), to + 4);
+    Store(Floats(__builtin_shufflevector(xy_high, z1_high, 0, 1, 4, 5)), to + 8);
+    Store(Floats(__builtin_shufflevector(xy_high, z1_high, 2, 3, 6, 7)), to + 12);
+  } else {
+    // Within each half of the register, as the processor likes it; then halves are exchanged.
+    const Floats xy_low = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Floats xy_high = __builtin_shufflevector(x, y, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Floats z1_low = __builtin_shufflevector(z, one, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Floats z1_high = __builtin_shufflevector(z, one, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Floats p04 = __builtin_shufflevector(xy_low, z1_low, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Floats p15 = __builtin_shufflevector(xy_low, z1_low, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Floats p26 = __builtin_shufflevector(xy_high, z1_high, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Floats p37 = __builtin_shufflevector(xy_high, z1_high, 2, 3, 10, 11, 6, 7, 14, 15);
+    Store(Floats(__builtin_shufflevector(p04, p15, 0, 1, 2, 3, 8, 9, 10, 11)), to);
+    Store(Floats(__builtin_shufflevector(p26, p37, 0, 1, 2, 3, 8, 9, 10, 11)), to + 8);
+    Store(Floats(__builtin_shufflevector(p04, p15, 4, 5, 6, 7, 12, 13, 14, 15)), to + 16);
+    Store(Floats(__builtin_shufflevector(p26, p37, 4, 5, 6, 7, 12, 13, 14, 15)), to + 24);
+  }
+}
+
 template <int kLanes>
 [[gnu::always_inline]] inline void PlaceLanes(const std::uint16_t* depth, int u,
                                               const RowDirections& d, const RowGeometry& g,
@@ -64,17 +95,13 @@ template <int kLanes>
   Store(index_x, points.voxel_x + u);
   Store(index_y, points.voxel_y + u);
   Store(index_z, points.voxel_z + u);
-  Store(offset_x, points.x + u);
-  Store(offset_y, points.y + u);
-  Store(offset_z, points.z + u);
+  StorePoints<kLanes>(offset_x, offset_y, offset_z, points.offset + 4 * u);
 }
 
 template <int kLanes>
 [[gnu::always_inline]] inline void PlacePixels(const std::uint16_t* depth, int count,
                                                const RowDirections& directions,
-                                               const RowGeometry& geometry,
-                                               const RowPoints& points) {
-  const RowGeometry g = geometry;  // a copy, so that no store can seem to change it
+                                               const RowGeometry& g, const RowPoints& points) {
   int u = 0;
   for (; u + kLanes <= count; u += kLanes) PlaceLanes<kLanes>(depth + u, u, directions, g, points);
   if (u == count) return;
@@ -83,23 +110,88 @@ template <int kLanes>
   PlaceLanes<kLanes>(rest, u, directions, g, points);
 }
 
-void PlacePixelsPortable(const std::uint16_t* depth, int count, const RowDirections& directions,
-                         const RowGeometry& geometry, const RowPoints& points) {
-  PlacePixels<kPortableLanes>(depth, count, directions, geometry, points);
+using Quad = Lanes<kPortableLanes>::Floats;
+using QuadMask = Lanes<kPortableLanes>::Ints;
+
+[[gnu::always_inline]] inline void KeepUnless(const QuadMask& starts, Quad& sum) {
+  sum = reinterpret_cast<Quad>(reinterpret_cast<QuadMask>(sum) & ~starts);
 }
 
-FALLEN_TARGET_AVX2 void PlacePixelsAvx2(const std::uint16_t* depth, int count,
-                                        const RowDirections& directions,
-                                        const RowGeometry& geometry, const RowPoints& points) {
-  PlacePixels<kAvx2Lanes>(depth, count, directions, geometry, points);
+// Nothing branches on where runs begin, which no processor can foresee: every pixel writes the sums
+// of its run so far, and the next pixel of the run writes over them.
+template <int kLanes>
+[[gnu::always_inline]] inline int SumRuns(const RowPoints& p, int count, PointRun* runs) {
+  using Ints = typename Lanes<kLanes>::Ints;
+  Quad first = {}, second = {}, third = {};
+  int found = 0;
+  for (int u = 0; u < count; u += kLanes) {
+    Ints x, y, z, before_x, before_y, before_z;
+    Load(x, p.voxel_x + u);
+    const Ints is_point = x != kNoPoint;
+    if (!AnyOf(is_point)) continue;
+    Load(y, p.voxel_y + u);
+    Load(z, p.voxel_z + u);
+    Load(before_x, p.voxel_x + u - 1);
+    Load(before_y, p.voxel_y + u - 1);
+    Load(before_z, p.voxel_z + u - 1);
+    const Ints differs = ((x ^ before_x) | (y ^ before_y) | (z ^ before_z)) != 0;
+    std::int32_t starts[kLanes], keeps[kLanes];
+    Store(Ints(is_point & differs), starts);
+    Store(is_point, keeps);
+#pragma GCC unroll 8
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const QuadMask start = QuadMask{} + starts[lane];
+      Quad point;
+      Load(point, p.offset + 4 * (u + lane));
+      KeepUnless(start, first);
+      KeepUnless(start, second);
+      KeepUnless(start, third);
+      first += point;
+      second += __builtin_shufflevector(point, point, 0, 0, 0, 1) *
+                __builtin_shufflevector(point, point, 0, 1, 2, 1);
+      third += __builtin_shufflevector(point, point, 1, 2, 2, 2) *
+               __builtin_shufflevector(point, point, 2, 2, 2, 2);
+      found -= starts[lane];  // true is -1
+      // What is no point is written behind the last run.
+      PointRun& run = runs[found + keeps[lane]];
+      Store(first, run.sums.data());
+      Store(second, run.sums.data() + 4);
+      Store(third, run.sums.data() + 8);
+      run.last = u + lane;
+    }
+  }
+  return found;
+}
+
+template <int kLanes>
+[[gnu::always_inline]] inline int PlaceAndSum(const std::uint16_t* depth, int count,
+                                              const RowDirections& directions,
+                                              const RowGeometry& geometry, const RowPoints& points,
+                                              PointRun* runs) {
+  const RowGeometry g = geometry;  // copies, so that no store can seem to change them
+  const RowPoints p = points;
+  PlacePixels<kLanes>(depth, count, directions, g, p);
+  p.voxel_x[-1] = p.voxel_y[-1] = p.voxel_z[-1] = kNoPoint;
+  return SumRuns<kLanes>(p, count, runs);
+}
+
+int SumRowRunsPortable(const std::uint16_t* depth, int count, const RowDirections& directions,
+                       const RowGeometry& geometry, const RowPoints& points, PointRun* runs) {
+  return PlaceAndSum<kPortableLanes>(depth, count, directions, geometry, points, runs);
+}
+
+FALLEN_TARGET_AVX2 int SumRowRunsAvx2(const std::uint16_t* depth, int count,
+                                      const RowDirections& directions, const RowGeometry& geometry,
+                                      const RowPoints& points, PointRun* runs) {
+  return PlaceAndSum<kAvx2Lanes>(depth, count, directions, geometry, points, runs);
 }
 
 }  // namespace
 
-void PlaceRow(const std::uint16_t* depth, int count, const RowDirections& directions,
-              const RowGeometry& geometry, const RowPoints& points) {
-  ChooseSimd(PlacePixelsPortable, PlacePixelsAvx2, PlacePixelsAvx2)(depth, count, directions,
-                                                                    geometry, points);
+int SumRowRuns(const std::uint16_t* depth, int count, const RowDirections& directions,
+               const RowGeometry& geometry, const RowPoints& points, PointRun* runs) {
+  return ChooseSimd(SumRowRunsPortable, SumRowRunsAvx2, SumRowRunsAvx2)(depth, count, directions,
+                                                                        geometry, points, runs);
 }
 
 }  // namespace fallen

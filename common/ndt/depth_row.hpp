@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace fallen {
@@ -31,25 +32,37 @@ struct RowDirections {
   float row_x, row_y, row_z;
 };
 
-/// Points of one image row: voxel, counted from the camera's, and offset from the voxel's centre
-/// [m].
+/// Points of one image row: voxel, counted from the camera's, and offset from the voxel's centre.
+///
+/// Memory for the next multiple of kRowPadding points, and of the voxels for one before the first.
 struct RowPoints {
   std::int32_t* voxel_x;  ///< kNoPoint where the pixel gives no point
   std::int32_t* voxel_y;
   std::int32_t* voxel_z;
-  float* x;
-  float* y;
-  float* z;
+  float* offset;  ///< x, y, z [m] and 1
 };
 inline constexpr std::int32_t kNoPoint = INT32_MIN;
 
-/// Pixels are placed so many at a time: arrays of directions and points need room for the next
-/// multiple of it.
+/// Sums over points, by their offsets from the voxel's centre: x y z count, xx xy xz yy, yz zz and
+/// two without meaning. Float suffices: 5 000 points of one image in a voxel leave variances good
+/// to 1e-9 m^2.
+using RunSums = std::array<float, 12>;
+
+/// Neighbouring pixels of a row whose points lie in one voxel.
+struct alignas(64) PointRun {
+  RunSums sums;
+  std::int32_t last;  ///< column of the last pixel
+};
+
+/// Pixels are placed so many at a time.
 inline constexpr int kRowPadding = 8;
 
-/// Places the `count` pixels of a row; what the points hold beyond is no point. The same bits on
-/// every processor.
-void PlaceRow(const std::uint16_t* depth, int count, const RowDirections& directions,
-              const RowGeometry& geometry, const RowPoints& points);
+/// Places the `count` pixels of a row and sums them up in runs.
+/// @param points  Is written: the voxel of a run is that of its last pixel.
+/// @param runs    Room for one a pixel, and one more.
+/// @return Number of runs.
+/// The same bits on every processor.
+int SumRowRuns(const std::uint16_t* depth, int count, const RowDirections& directions,
+               const RowGeometry& geometry, const RowPoints& points, PointRun* runs);
 
 }  // namespace fallen

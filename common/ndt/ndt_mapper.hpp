@@ -98,6 +98,10 @@ class NdtMapper {
   NdtMap Update(std::int64_t utime, const DepthImage& image,
                 const std::optional<Eigen::Isometry3d>& T_world_camera,
                 const GroundEstimate& ground_camera);
+  /// Likewise, into memory that is there. All of `map` is set but its view.
+  void Update(std::int64_t utime, const DepthImage& image,
+              const std::optional<Eigen::Isometry3d>& T_world_camera,
+              const GroundEstimate& ground_camera, NdtMap& map);
 
   /// Forgets everything.
   void Reset();

@@ -74,6 +74,31 @@ double NearestEnd(const DepthImage& image, const Pixel& pixel) {
   return nearest_m;
 }
 
+using RayPixels = std::array<Pixel, kRaysPerVoxel>;
+
+// The pixels whose rays are looked up for a Gaussian; false if its mean is not in the image.
+bool ChooseRays(const CameraIntrinsics& camera, const Eigen::Vector3d& mean, double cell_size_m,
+                RayPixels& pixels) {
+  Pixel center;
+  if (!ProjectIntoImage(camera, mean, center)) return false;
+  const int spread_u =
+      std::max(1, static_cast<int>(kRaySpread * cell_size_m * camera.fx / mean.z()));
+  const int spread_v =
+      std::max(1, static_cast<int>(kRaySpread * cell_size_m * camera.fy / mean.z()));
+  pixels = {{{center.u, center.v},
+             {center.u - spread_u, center.v},
+             {center.u + spread_u, center.v},
+             {center.u, center.v - spread_v},
+             {center.u, center.v + spread_v}}};
+  return true;
+}
+
+bool AnyEndsBehind(const DepthImage& image, const RayPixels& pixels, double depth_m) {
+  double farthest_m = 0;
+  for (const Pixel& pixel : pixels) farthest_m = std::max(farthest_m, DepthAt(image, pixel));
+  return farthest_m > depth_m;
+}
+
 SymmetricMatrix3 Inverse(const SymmetricMatrix3& m) {
   const double c0 = m[3] * m[5] - m[4] * m[4];
   const double c1 = m[2] * m[4] - m[1] * m[5];
@@ -133,21 +158,9 @@ class SeenGaussian {
 double CountRaysThrough(const DepthImage& image, const Eigen::Vector3d& mean,
                         const SymmetricMatrix3& covariance, double cell_size_m) {
   const CameraIntrinsics& camera = image.intrinsics;
-  Pixel center;
-  if (!ProjectIntoImage(camera, mean, center)) return 0;
-  const int spread_u =
-      std::max(1, static_cast<int>(kRaySpread * cell_size_m * camera.fx / mean.z()));
-  const int spread_v =
-      std::max(1, static_cast<int>(kRaySpread * cell_size_m * camera.fy / mean.z()));
-  const std::array<Pixel, kRaysPerVoxel> pixels = {{{center.u, center.v},
-                                                    {center.u - spread_u, center.v},
-                                                    {center.u + spread_u, center.v},
-                                                    {center.u, center.v - spread_v},
-                                                    {center.u, center.v + spread_v}}};
-  double farthest_m = 0;
-  for (const Pixel& pixel : pixels) farthest_m = std::max(farthest_m, DepthAt(image, pixel));
-  if (farthest_m <= mean.z()) return 0;  // hidden, or in front of everything: most voxels end here
-
+  RayPixels pixels;
+  if (!ChooseRays(camera, mean, cell_size_m, pixels) || !AnyEndsBehind(image, pixels, mean.z()))
+    return 0;
   const SeenGaussian gaussian(mean, covariance, mean.z() / std::min(camera.fx, camera.fy));
   double rays = 0;
   for (const Pixel& pixel : pixels) {
@@ -155,6 +168,12 @@ double CountRaysThrough(const DepthImage& image, const Eigen::Vector3d& mean,
     if (end_m > 0) rays += gaussian.WeightOfRay(camera.Deproject(pixel.u, pixel.v, 1), end_m);
   }
   return rays;
+}
+
+bool AnyRayEndsBehind(const DepthImage& image, const Eigen::Vector3d& mean, double cell_size_m) {
+  RayPixels pixels;
+  return ChooseRays(image.intrinsics, mean, cell_size_m, pixels) &&
+         AnyEndsBehind(image, pixels, mean.z());
 }
 
 bool RayPassesCenter(const DepthImage& image, const Eigen::Vector3d& center, double cell_size_m) {

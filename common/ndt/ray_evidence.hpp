@@ -34,6 +34,10 @@ inline constexpr int kRaysPerVoxel = 5;
 double CountRaysThrough(const DepthImage& image, const Eigen::Vector3d& mean,
                         const SymmetricMatrix3& covariance, double cell_size_m);
 
+/// False if none of these rays ended behind the mean, so that CountRaysThrough is 0: most voxels
+/// are hidden, or in front of everything.
+bool AnyRayEndsBehind(const DepthImage& image, const Eigen::Vector3d& mean, double cell_size_m);
+
 /// True if the ray through the voxel's centre ended more than a cell behind it: for voxels that
 /// hold no Gaussian yet.
 bool RayPassesCenter(const DepthImage& image, const Eigen::Vector3d& center, double cell_size_m);

@@ -7,23 +7,8 @@
 namespace fallen {
 namespace {
 
-// (30 um)^2: far below any depth sensor's noise, far above what float keeps of a covariance.
-constexpr double kMinVariance = 1e-9;
-
 SymmetricMatrix3 OuterProduct(const std::array<double, 3>& v) {
   return {v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
-}
-
-// A quick bound, true for most cells: the trace is at least the largest eigenvalue, and the
-// smallest is above what must be if the matrix less that much of the identity is positive definite,
-// which its leading minors tell (Sylvester).
-bool SurelyAbove(const SymmetricMatrix3& m, double ratio) {
-  const double least = std::max(ratio * (m[0] + m[3] + m[5]), kMinVariance);
-  const double xx = m[0] - least, yy = m[3] - least, zz = m[5] - least;
-  const double minor = xx * yy - m[1] * m[1];
-  const double determinant =
-      minor * zz - xx * m[4] * m[4] - yy * m[2] * m[2] + 2 * m[1] * m[2] * m[4];
-  return xx > 0 && minor > 0 && determinant > 0;
 }
 
 }  // namespace
@@ -68,8 +53,20 @@ void LimitCount(Moments& moments, double max_count) {
   moments.count = max_count;
 }
 
+// The trace is at least the largest eigenvalue, and the smallest is above what must be if the
+// matrix less that much of the identity is positive definite, which its leading minors tell
+// (Sylvester).
+bool EigenvaluesSurelyStay(const SymmetricMatrix3& m, double ratio) {
+  const double least = std::max(ratio * (m[0] + m[3] + m[5]), kMinVariance);
+  const double xx = m[0] - least, yy = m[3] - least, zz = m[5] - least;
+  const double minor = xx * yy - m[1] * m[1];
+  const double determinant =
+      minor * zz - xx * m[4] * m[4] - yy * m[2] * m[2] + 2 * m[1] * m[2] * m[4];
+  return xx > 0 && minor > 0 && determinant > 0;
+}
+
 SymmetricMatrix3 FloorEigenvalues(const SymmetricMatrix3& covariance, double ratio) {
-  if (SurelyAbove(covariance, ratio)) return covariance;
+  if (EigenvaluesSurelyStay(covariance, ratio)) return covariance;
   const SymmetricEigen3 eigen = DecomposeSymmetric(covariance);
   const double least = std::max(ratio * eigen.values[2], kMinVariance);
   if (eigen.values[0] >= least) return covariance;

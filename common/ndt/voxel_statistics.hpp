@@ -64,8 +64,14 @@ void LimitCount(Moments& moments, double max_count);
 /// stored in single precision: some 16 steps of a float.
 inline constexpr double kLeastEigenvalueRatio = 1e-6;
 
-/// Raises eigenvalues below `ratio` times the largest to that, and all to at least (30 um)^2: the
-/// result is positive definite, a single spot too. Untouched, bit for bit, if there are none.
+/// (30 um)^2 [m^2]: far below any depth sensor's noise, far above what float keeps of a covariance.
+inline constexpr double kMinVariance = 1e-9;
+
+/// A quick test, true for many cells: FloorEigenvalues leaves such a matrix as it is.
+bool EigenvaluesSurelyStay(const SymmetricMatrix3& covariance, double ratio);
+
+/// Raises eigenvalues below `ratio` times the largest to that, and all to at least kMinVariance:
+/// the result is positive definite, a single spot too. Untouched, bit for bit, if there are none.
 /// [Saarinen13]
 SymmetricMatrix3 FloorEigenvalues(const SymmetricMatrix3& covariance, double ratio);
 

@@ -23,22 +23,53 @@ std::size_t Hash(const VoxelIndex& index) {
 
 VoxelStore::VoxelStore() : slots_(kInitialSlots) {}
 
-Voxel& VoxelStore::FindOrAdd(const VoxelIndex& index) {
+// The slot that holds `index`, or the empty one where it would go.
+std::size_t VoxelStore::SlotOf(const VoxelIndex& index) const {
   const std::size_t mask = slots_.size() - 1;
   std::size_t at = Hash(index) & mask;
-  for (; slots_[at].position >= 0; at = (at + 1) & mask)
-    if (slots_[at].index == index) return voxels_[slots_[at].position];
+  while (slots_[at].position >= 0 && !(slots_[at].index == index)) at = (at + 1) & mask;
+  return at;
+}
 
-  slots_[at] = {index, static_cast<std::int32_t>(voxels_.size())};
-  Voxel voxel;
-  voxel.index = index;
-  voxels_.push_back(voxel);
+std::int32_t VoxelStore::FindOrAdd(const VoxelIndex& index) {
+  const std::size_t at = SlotOf(index);
+  if (slots_[at].position >= 0) return slots_[at].position;
+
+  const std::int32_t position = size();
+  slots_[at] = {index, position};
+  voxels_.emplace_back().index = index;
+  incoming_.emplace_back().index = index;
   if (2 * voxels_.size() > slots_.size()) Rehash(2 * slots_.size());
-  return voxels_.back();
+  return position;
+}
+
+void VoxelStore::Remove(std::int32_t position) {
+  EmptySlot(SlotOf(voxels_[position].index));
+  if (position + 1 < size()) {
+    slots_[SlotOf(voxels_.back().index)].position = position;
+    voxels_[position] = voxels_.back();
+    incoming_[position] = incoming_.back();
+  }
+  voxels_.pop_back();
+  incoming_.pop_back();
+}
+
+// Moves what was displaced by the slot's entry nearer to where its search begins, so that no search
+// ends too early at the gap.
+void VoxelStore::EmptySlot(std::size_t at) {
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t next = (at + 1) & mask; slots_[next].position >= 0; next = (next + 1) & mask) {
+    const std::size_t home = Hash(slots_[next].index) & mask;
+    if (((next - home) & mask) < ((next - at) & mask)) continue;  // would come before its home
+    slots_[at] = slots_[next];
+    at = next;
+  }
+  slots_[at] = {};
 }
 
 void VoxelStore::Clear() {
   voxels_.clear();
+  incoming_.clear();
   slots_.assign(slots_.size(), Slot{});
 }
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fallen/ndt/depth_row.hpp"
+#include "fallen/ndt/ndt_cell.hpp"
 #include "fallen/ndt/voxel_statistics.hpp"
 
 namespace fallen {
@@ -19,55 +21,63 @@ struct VoxelIndex {
 /// What the map knows about one voxel.
 struct Voxel {
   VoxelIndex index;
-  Moments moments;             ///< of all frames before this one
-  PointSums<double> incoming;  ///< of this frame, not yet merged
+  Moments moments;  ///< of all frames
+  NdtCell cell;     ///< of these moments, if there are enough points
   double log_odds = 0;
   /// Holds points of frames in which no floor was known, so perhaps the floor's.
   bool may_hold_floor = false;
 };
 
-/// The voxels in the order in which they were first met, found by index through a hash table.
+/// Points of the newest frame in a voxel, not yet merged: with its index one line of the cache, all
+/// that adding a point takes.
+struct alignas(64) IncomingPoints {
+  RunSums sums{};
+  VoxelIndex index;
+
+  float count() const { return sums[3]; }
+  bool IsAt(const VoxelIndex& at) const {
+    return ((index.x ^ at.x) | (index.y ^ at.y) | (index.z ^ at.z)) == 0;
+  }
+};
+
+/// The voxels, found by index through a hash table, and what comes in for each.
 class VoxelStore {
  public:
   VoxelStore();
 
-  /// The voxel at `index`, made if need be. The reference holds until the next call.
-  Voxel& FindOrAdd(const VoxelIndex& index);
+  /// Position in `voxels()` of the voxel at `index`, made if need be. Positions hold until a voxel
+  /// is removed.
+  std::int32_t FindOrAdd(const VoxelIndex& index);
 
-  /// Position in `voxels()` of the voxel at `index`, made if need be. `guess` is looked at first:
-  /// any number, best the position of a voxel that was met nearby.
+  /// Likewise. `guess` is looked at first: any number, best the position of a voxel that was met
+  /// nearby.
   std::int32_t FindOrAdd(const VoxelIndex& index, std::int32_t guess) {
-    if (static_cast<std::size_t>(guess) < voxels_.size() && voxels_[guess].index == index)
+    if (static_cast<std::size_t>(guess) < incoming_.size() && incoming_[guess].IsAt(index))
       return guess;
-    return static_cast<std::int32_t>(&FindOrAdd(index) - voxels_.data());
+    return FindOrAdd(index);
   }
 
-  /// Removes the voxels for which `is_gone` is true; the others keep their order.
-  template <class Predicate>
-  void RemoveIf(Predicate&& is_gone) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < voxels_.size(); ++i) {
-      if (is_gone(voxels_[i])) continue;
-      if (kept != i) voxels_[kept] = voxels_[i];
-      ++kept;
-    }
-    if (kept == voxels_.size()) return;
-    voxels_.resize(kept);
-    Rehash(slots_.size());
-  }
+  /// Removes a voxel; the last one takes its position.
+  void Remove(std::int32_t position);
 
   void Clear();
+  std::int32_t size() const { return static_cast<std::int32_t>(voxels_.size()); }
   const std::vector<Voxel>& voxels() const { return voxels_; }
   std::vector<Voxel>& voxels() { return voxels_; }
+  /// One a voxel; indices are not to be changed.
+  std::vector<IncomingPoints>& incoming() { return incoming_; }
 
  private:
   struct Slot {
     VoxelIndex index;
     std::int32_t position = -1;  ///< in `voxels_`; -1: empty
   };
+  std::size_t SlotOf(const VoxelIndex& index) const;
+  void EmptySlot(std::size_t at);
   void Rehash(std::size_t slot_count);
 
   std::vector<Voxel> voxels_;
+  std::vector<IncomingPoints> incoming_;
   std::vector<Slot> slots_;  ///< open addressing, a power of two, at most half full
 };
 

@@ -33,6 +33,20 @@ FALLEN_LANES(4);
 FALLEN_LANES(8);
 #undef FALLEN_LANES
 
+/// The same for double precision: half as many in a register.
+template <int kLanes>
+struct DoubleLanes;
+
+#define FALLEN_DOUBLE_LANES(count)                                        \
+  template <>                                                             \
+  struct DoubleLanes<count> {                                             \
+    using Doubles = double __attribute__((vector_size(8 * (count))));     \
+    using Longs = std::int64_t __attribute__((vector_size(8 * (count)))); \
+  }
+FALLEN_DOUBLE_LANES(2);
+FALLEN_DOUBLE_LANES(4);
+#undef FALLEN_DOUBLE_LANES
+
 template <class Vector, class Scalar>
 [[gnu::always_inline]] inline void Load(Vector& vector, const Scalar* from) {
   std::memcpy(&vector, from, sizeof(vector));
@@ -44,9 +58,9 @@ template <class Vector, class Scalar>
 }
 
 /// One instruction, given -fno-math-errno.
-template <class Floats>
-[[gnu::always_inline]] inline void TakeRoots(Floats& values) {
-  for (std::size_t lane = 0; lane < sizeof(values) / sizeof(float); ++lane)
+template <class Vector>
+[[gnu::always_inline]] inline void TakeRoots(Vector& values) {
+  for (std::size_t lane = 0; lane < sizeof(values) / sizeof(values[0]); ++lane)
     values[lane] = std::sqrt(values[lane]);
 }
 
