@@ -20,8 +20,8 @@ constexpr int kTries = 8;
 
 /// The pieces to move: a partial shuffle by hand, for std::shuffle differs between libraries.
 std::vector<std::size_t> Choose(std::vector<std::size_t> pieces, double share, Random& random) {
-  const auto count = static_cast<std::size_t>(
-      std::llround(share * static_cast<double>(pieces.size())));
+  const auto count =
+      static_cast<std::size_t>(std::llround(share * static_cast<double>(pieces.size())));
   for (std::size_t i = 0; i < count; ++i)
     std::swap(pieces[i], pieces[i + random.Index(pieces.size() - i)]);
   pieces.resize(count);

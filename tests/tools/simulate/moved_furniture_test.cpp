@@ -69,7 +69,8 @@ TEST(MovedFurniture, IsTheSameForTheSameStreamAndNoneForNoShare) {
 TEST(MovedFurniture, StaysWhereThereIsNoOtherPlace) {
   Scene scene;
   scene.room_size = {1, 0.5};
-  scene.objects.push_back(PlaceObject(kFurniture, "bed", MakeBox({0.95, 0.45, 0.5}), {0, 0, 0.25}, 0));
+  scene.objects.push_back(
+      PlaceObject(kFurniture, "bed", MakeBox({0.95, 0.45, 0.5}), {0, 0, 0.25}, 0));
   Random random(1);
   EXPECT_EQ(MoveFurniture(scene, 1, random), 0);
   EXPECT_EQ(scene.objects[0].box.center.x(), 0);
