@@ -7,9 +7,9 @@
 
 #include "tools/common/tool.hpp"
 #include "tools/frames/frame_source.hpp"
-#include "tools/view/picture/frame_choice.hpp"
-#include "tools/view/picture/frame_film.hpp"
-#include "tools/view/picture/frame_picture.hpp"
+#include "tools/picture/frame_choice.hpp"
+#include "tools/picture/frame_film.hpp"
+#include "tools/picture/frame_picture.hpp"
 #include "tools/view/serve_page.hpp"
 #include "tools/view/view_options.hpp"
 

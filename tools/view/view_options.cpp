@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/common/camera_option.hpp"
-#include "tools/view/picture/frame_choice.hpp"
+#include "tools/picture/frame_choice.hpp"
 
 namespace fallen {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fallen/detection/detector.hpp"
-#include "tools/view/picture/colors.hpp"
+#include "tools/picture/colors.hpp"
 
 namespace fallen {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tools/view/picture/canvas.hpp"
-#include "tools/view/picture/viewed_frame.hpp"
+#include "tools/picture/canvas.hpp"
+#include "tools/picture/viewed_frame.hpp"
 
 namespace fallen {
 

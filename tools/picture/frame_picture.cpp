@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/frame_picture.hpp"
+#include "tools/picture/frame_picture.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -9,9 +9,9 @@
 
 #include "fallen/geometry/ground_plane.hpp"
 #include "tools/common/partial_file.hpp"
-#include "tools/view/picture/canvas.hpp"
-#include "tools/view/picture/depth_panel.hpp"
-#include "tools/view/picture/map_panel.hpp"
+#include "tools/picture/canvas.hpp"
+#include "tools/picture/depth_panel.hpp"
+#include "tools/picture/map_panel.hpp"
 
 namespace fallen {
 namespace {

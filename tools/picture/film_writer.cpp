@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/film_writer.hpp"
+#include "tools/picture/film_writer.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/map_cells.hpp"
+#include "tools/picture/map_cells.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "tools/view/picture/oblique_view.hpp"
+#include "tools/picture/oblique_view.hpp"
 
 namespace fallen {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "tools/view/picture/colors.hpp"
+#include "tools/picture/colors.hpp"
 
 namespace fallen {
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/depth_panel.hpp"
+#include "tools/picture/depth_panel.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "tools/view/picture/drawn_box.hpp"
-#include "tools/view/picture/legends.hpp"
+#include "tools/picture/drawn_box.hpp"
+#include "tools/picture/legends.hpp"
 
 namespace fallen {
 namespace {

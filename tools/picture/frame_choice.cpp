@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/frame_choice.hpp"
+#include "tools/picture/frame_choice.hpp"
 
 #include <charconv>
 #include <stdexcept>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/drawn_box.hpp"
+#include "tools/picture/drawn_box.hpp"
 
 #include <cstdio>
 #include <limits>
 #include <optional>
 
-#include "tools/view/picture/box_edges.hpp"
+#include "tools/picture/box_edges.hpp"
 
 namespace fallen {
 namespace {

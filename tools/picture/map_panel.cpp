@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/map_panel.hpp"
+#include "tools/picture/map_panel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "tools/view/picture/box_edges.hpp"
-#include "tools/view/picture/drawn_box.hpp"
-#include "tools/view/picture/legends.hpp"
-#include "tools/view/picture/map_cells.hpp"
-#include "tools/view/picture/oblique_view.hpp"
+#include "tools/picture/box_edges.hpp"
+#include "tools/picture/drawn_box.hpp"
+#include "tools/picture/legends.hpp"
+#include "tools/picture/map_cells.hpp"
+#include "tools/picture/oblique_view.hpp"
 
 namespace fallen {
 namespace {

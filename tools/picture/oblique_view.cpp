@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/oblique_view.hpp"
+#include "tools/picture/oblique_view.hpp"
 
 #include <cmath>
 #include <numbers>

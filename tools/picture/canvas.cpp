@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/canvas.hpp"
+#include "tools/picture/canvas.hpp"
 
 #include <cairo.h>
 

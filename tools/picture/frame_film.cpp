@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/view/picture/frame_film.hpp"
+#include "tools/picture/frame_film.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "tools/common/progress_bar.hpp"
-#include "tools/view/picture/canvas.hpp"
-#include "tools/view/picture/film_writer.hpp"
-#include "tools/view/picture/frame_picture.hpp"
+#include "tools/picture/canvas.hpp"
+#include "tools/picture/film_writer.hpp"
+#include "tools/picture/frame_picture.hpp"
 
 namespace fallen {
 namespace {

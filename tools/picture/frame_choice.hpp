@@ -8,7 +8,7 @@
 
 #include "fallen/detection/detector.hpp"
 #include "tools/frames/frame_source.hpp"
-#include "tools/view/picture/viewed_frame.hpp"
+#include "tools/picture/viewed_frame.hpp"
 
 namespace fallen {
 

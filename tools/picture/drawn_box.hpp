@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fallen/geometry/oriented_box.hpp"
-#include "tools/view/picture/canvas.hpp"
-#include "tools/view/picture/viewed_frame.hpp"
+#include "tools/picture/canvas.hpp"
+#include "tools/picture/viewed_frame.hpp"
 
 namespace fallen {
 

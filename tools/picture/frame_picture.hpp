@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "tools/view/picture/canvas.hpp"
-#include "tools/view/picture/viewed_frame.hpp"
+#include "tools/picture/canvas.hpp"
+#include "tools/picture/viewed_frame.hpp"
 
 namespace fallen {
 

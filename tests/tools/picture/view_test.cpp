@@ -10,11 +10,11 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tools/common/lying_scene.hpp"
 #include "tests/tools/common/plain_model.hpp"
-#include "tools/view/picture/box_edges.hpp"
-#include "tools/view/picture/canvas.hpp"
-#include "tools/view/picture/frame_choice.hpp"
-#include "tools/view/picture/map_cells.hpp"
-#include "tools/view/picture/oblique_view.hpp"
+#include "tools/picture/box_edges.hpp"
+#include "tools/picture/canvas.hpp"
+#include "tools/picture/frame_choice.hpp"
+#include "tools/picture/map_cells.hpp"
+#include "tools/picture/oblique_view.hpp"
 
 namespace fallen {
 namespace {

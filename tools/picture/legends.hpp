@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/view/picture/canvas.hpp"
+#include "tools/picture/canvas.hpp"
 
 namespace fallen {
 
