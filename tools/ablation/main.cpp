@@ -19,7 +19,7 @@
 #include "tools/common/tool.hpp"
 #include "tools/evaluate/evaluation_report.hpp"
 #include "tools/train/model_training.hpp"
-#include "tools/train/recording_split.hpp"
+#include "tools/train/observed_recordings.hpp"
 
 namespace {
 
@@ -40,12 +40,6 @@ struct Material {
   ObservedPairs validation;
   Backgrounds backgrounds;
 };
-
-std::vector<RecordingOrigin> Origins(const std::vector<ObservedRecording>& recordings) {
-  std::vector<RecordingOrigin> origins;
-  for (const ObservedRecording& recording : recordings) origins.push_back(recording.origin);
-  return origins;
-}
 
 Backgrounds LoadBackgrounds(const Options& options, const std::vector<AblationRow>& rows,
                             const BackgroundConfig& config) {
@@ -86,7 +80,7 @@ Material Prepare(const Options& options, const std::vector<AblationRow>& rows,
                   material.validation.single[index - learnt]);
     progress("mapping", static_cast<double>(++done) / static_cast<double>(learnt + judged));
   });
-  RequireDisjoint(Origins(material.training), Origins(material.validation.accumulated));
+  RequireDisjoint(OriginsOf(material.training), OriginsOf(material.validation.accumulated));
   return material;
 }
 

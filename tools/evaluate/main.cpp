@@ -11,6 +11,7 @@
 #include "tools/common/detector_setup.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/common/tool.hpp"
+#include "tools/evaluate/error_report.hpp"
 #include "tools/evaluate/evaluation_report.hpp"
 #include "tools/evaluate/sequence_evaluation.hpp"
 
@@ -22,11 +23,14 @@ namespace fs = std::filesystem;
 struct Options {
   std::vector<fs::path> logs;
   std::vector<std::string> compared;  // NAME=MODEL
+  std::optional<Preset> preset;       // measured beside the detector
   DetectorOptions detector;
   bool with_baseline = false;
   std::string baseline_model;
   std::optional<fs::path> json;
   std::vector<fs::path> plots;
+  std::optional<fs::path> report;
+  std::size_t report_cases = 20;
   BootstrapConfig bootstrap;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 };
@@ -35,6 +39,12 @@ std::vector<MethodChoice> MethodsOf(const Options& options) {
   using Place = nlohmann::json::json_pointer;
   std::vector<MethodChoice> methods = {
       DetectorMethod("detector", Place("/detector"), options.detector)};
+  if (options.preset) {
+    DetectorOptions compared = options.detector;
+    compared.model = PresetModelPath(*options.preset).string();
+    const std::string name(EnumName(*options.preset));
+    methods.push_back(DetectorMethod(name, Place("/compared") / name, compared));
+  }
   for (const std::string& text : options.compared) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
@@ -75,6 +85,19 @@ void WriteJson(const fs::path& path, const nlohmann::json& json) {
   if (!file.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
+void ReportErrors(const std::vector<SequenceOutcome>& sequences, const Options& options) {
+  ErrorReportHead head;
+  head.min_probability = sequences.front().min_probability;
+  std::vector<ErrorCase> cases;
+  for (const SequenceOutcome& sequence : sequences) {
+    ++head.recordings;
+    head.frames += static_cast<std::int64_t>(sequence.frames.size());
+    cases.insert(cases.end(), sequence.cases.begin(), sequence.cases.end());
+  }
+  WriteErrorReport(*options.report, PickWorstCases(std::move(cases), options.report_cases), head,
+                   options.detector, options.jobs);
+}
+
 int Evaluate(const Options& options) {
   const std::vector<MethodChoice> methods = MethodsOf(options);
   const auto outcomes = EvaluateAll(options, methods);
@@ -92,6 +115,7 @@ int Evaluate(const Options& options) {
   }
   if (options.json) WriteJson(*options.json, report);
   for (const fs::path& plot : options.plots) PlotCurves(curves, plot);
+  if (options.report) ReportErrors(outcomes.front(), options);
   std::cout << (methods.size() == 1 ? shown["detector"] : shown).dump(2) << "\n";
   return 0;
 }
@@ -104,7 +128,9 @@ int main(int argc, char** argv) {
       MakeToolParser("fallen-evaluate",
                      "Measures the detector on logs with ground truth, by the paper's protocol");
   parser->add_option("LOG", options.logs, "Recordings with ground truth")->required();
-  AddDetectorOptions(*parser, options.detector);
+  AddModelOptions(*parser, options.detector);
+  AddPresetOption(*parser, options.preset,
+                  "Measure the method as the paper has it too (paper), on the same frames");
   parser->add_option("--json", options.json, "Write figures here, sequence by sequence too");
   CLI::Option* const baseline = parser->add_flag(
       "--baseline", options.with_baseline,
@@ -123,6 +149,13 @@ int main(int argc, char** argv) {
                    "Draw miss rate against false positives (.svg, .png), all methods in one "
                    "picture; repeatable")
       ->allow_extra_args(false);
+  CLI::Option* const report = parser->add_option("--report", options.report,
+                                                 "Folder for the detector's worst misses and false "
+                                                 "alarms, with a picture of each (index.html)");
+  parser->add_option("--report-cases", options.report_cases, "Of each at most so many")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->needs(report);
   parser
       ->add_option("--resamples", options.bootstrap.resamples,
                    "Resamples of the sequences for the confidence intervals")

@@ -31,6 +31,7 @@ void AddKinds(const GroundTruth& truth, std::vector<std::string>& kinds) {
 SequenceOutcome EvaluateSequence(const std::filesystem::path& input, EvaluatedMethod& method) {
   SequenceOutcome sequence;
   sequence.log = input.string();
+  CaseCollector cases(sequence.log);
   std::vector<double> milliseconds;
   bool has_truth = false;
   const std::unique_ptr<FrameSource> recording = OpenFrameSource(input);
@@ -51,10 +52,12 @@ SequenceOutcome EvaluateSequence(const std::filesystem::path& input, EvaluatedMe
     const int cells = truth->person_box ? CountCellsInBox(result.local_map, *truth->person_box) : 0;
     sequence.frame_numbers.push_back(number);
     sequence.frames.push_back(JudgeFrame(result.decision, truth->person_box, cells));
+    cases.Add(number, result.decision, *truth, cells);
   }
   if (!has_truth)
     throw std::runtime_error(input.string() +
                              ": no ground truth for any frame, expected GROUND_TRUTH_* messages");
+  sequence.cases = cases.cases();
   sequence.damaged_messages = recording->damage().count;
   sequence.median_milliseconds = Median(std::move(milliseconds));
   return sequence;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fallen/evaluation/frame_outcome.hpp"
+#include "tools/evaluate/error_cases.hpp"
 #include "tools/evaluate/evaluated_method.hpp"
 
 namespace fallen {
@@ -24,7 +25,8 @@ struct SequenceOutcome {
   std::int64_t unjudged_frames = 0;
   std::int64_t damaged_messages = 0;
   double median_milliseconds = 0;
-  double min_probability = 0;  ///< threshold in force
+  double min_probability = 0;    ///< threshold in force
+  std::vector<ErrorCase> cases;  ///< all persons and all that is taken for one
 };
 
 /// Runs `method`, a fresh one, over a log or import directory and judges every frame by its ground

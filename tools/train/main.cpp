@@ -5,14 +5,14 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <mutex>
 #include <thread>
 #include <utility>
 
 #include "fallen/messages/baseline_files.hpp"
 #include "fallen/messages/model_files.hpp"
 #include "fallen/service/configuration.hpp"
-#include "tools/common/progress_bar.hpp"
+#include "tools/common/detector_setup.hpp"
+#include "tools/common/step_progress.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/train/baseline_training.hpp"
 #include "tools/train/model_training.hpp"
@@ -30,29 +30,11 @@ struct Options {
   bool is_baseline = false;
   std::optional<fs::path> config;
   std::optional<fs::path> training;
+  std::optional<Preset> preset;
   fs::path report;
   double validation_share = 0.25;
   std::string description;
   int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-};
-
-// One bar for each step, whichever thread reports.
-class StepProgress {
- public:
-  void operator()(const char* step, double share) {
-    const std::lock_guard lock(mutex_);
-    if (step_ != step) {
-      bar_.reset();
-      bar_ = std::make_unique<ProgressBar>(step);
-      step_ = step;
-    }
-    bar_->Update(share);
-  }
-
- private:
-  std::mutex mutex_;
-  std::string step_;
-  std::unique_ptr<ProgressBar> bar_;
 };
 
 // Training and validation recordings, observed; no person or room on both sides.
@@ -85,7 +67,8 @@ TrainingProgress ShowProgress() {
 
 int TrainDetector(const Options& options) {
   const Configuration deployment = LoadConfiguration(options.config);
-  const TrainingConfig config = LoadTrainingConfig(options.training);
+  const TrainingConfig config =
+      LoadTrainingConfig(options.preset ? PresetTrainingPath(*options.preset) : options.training);
   TrainingProgress progress = ShowProgress();
   const auto observe = [&](const fs::path& log) {
     return ObserveRecording(log, deployment.ground, deployment.ndt, config.observation);
@@ -138,13 +121,18 @@ int main(int argc, char** argv) {
                      "and rooms: split off the logs, or named with --validation.");
   parser->add_option("LOG", options.logs, "Recordings to train on")->required();
   parser->add_option("-o,--output", options.model, "Model file to write")->required();
-  parser->add_flag("--baseline", options.is_baseline,
-                   "Train the comparison detector instead: clusters and layers of surface normals");
+  CLI::Option* const baseline = parser->add_flag(
+      "--baseline", options.is_baseline,
+      "Train the comparison detector instead: clusters and layers of surface normals");
   parser->add_option("--validation", options.validation, "Recordings of other persons and rooms");
   parser->add_option("--validation-share", options.validation_share,
                      "Share of the recordings to split off, if none are named");
   parser->add_option("--config", options.config, "Deployment: sections ground and ndt are used");
-  parser->add_option("--training", options.training, "Settings of the training (YAML)");
+  CLI::Option* const training =
+      parser->add_option("--training", options.training, "Settings of the training (YAML)");
+  AddPresetOption(*parser, options.preset,
+                  "Settings of the method as the paper has it (paper): models/paper.yaml");
+  parser->get_option("--preset")->excludes(training)->excludes(baseline);
   parser->add_option("--report", options.report, "Write the record of the training here (JSON)");
   parser->add_option("--description", options.description, "Text that the model file carries");
   parser->add_option("--jobs", options.jobs, "Threads; the result does not depend on them")
