@@ -34,11 +34,10 @@ constexpr std::size_t kReplayEntries = std::size_t{1} << 24;
 
 using Work = std::function<void(const std::atomic<bool>&)>;
 
-Work MakeLive(Feed& feed, const ViewOptions& options, const Configuration& config) {
-  const auto source =
-      std::make_shared<LiveSource>(feed, options.lcm_url.value_or(config.service.lcm_url),
-                                   options.camera.value_or(config.service.camera));
-  return [source](const std::atomic<bool>& is_stopping) { source->Run(is_stopping); };
+std::shared_ptr<LiveSource> MakeLive(Feed& feed, const ViewOptions& options,
+                                     const Configuration& config) {
+  return std::make_shared<LiveSource>(feed, options.lcm_url.value_or(config.service.lcm_url),
+                                      options.camera.value_or(config.service.camera));
 }
 
 std::optional<std::string> CameraOfRecordedDecisions(const ViewOptions& options) {
@@ -105,10 +104,17 @@ int ServePage(const ViewOptions& options) {
   const PageFiles files(options.page.empty() ? ShippedPagePath() : options.page);
   const bool is_live = options.input.empty();
   const std::unique_ptr<Feed> feed = MakeFeed(is_live);
-  PageServer server(*feed, files, ServerOptions(options));
+  PageServerOptions server_options = ServerOptions(options);
+  std::shared_ptr<LiveSource> live;
+  if (is_live) {
+    live = MakeLive(*feed, options, config);
+    server_options.acknowledge = [live](const std::string& id) { live->Acknowledge(id); };
+  }
+  PageServer server(*feed, files, server_options);
   ShowEnvironment(*feed, options, config);
-  const SourceThread source(is_live ? MakeLive(*feed, options, config)
-                                    : MakeReplay(*feed, options));
+  const SourceThread source(
+      live ? Work([live](const std::atomic<bool>& is_stopping) { live->Run(is_stopping); })
+           : MakeReplay(*feed, options));
   std::cout << server.url() << std::endl;
   server.Run([&] { return stop.Arrived(); });
   return 0;

@@ -38,6 +38,14 @@ void LiveSource::Run(const std::atomic<bool>& is_stopping) {
   }
 }
 
+void LiveSource::Acknowledge(const std::string& event_id) {
+  AlarmAnswer answer;
+  answer.event_id = event_id;
+  answer.by = "the page";
+  const fall_alarm_ack_t message = ToMessage(answer);
+  lcm_.publish(channels::kFallAlarmAck, &message);
+}
+
 // Nothing thrown leaves a handler: LCM calls them from C.
 void LiveSource::OnMessage(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept {
   try {

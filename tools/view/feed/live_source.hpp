@@ -26,6 +26,9 @@ class LiveSource {
   /// Listens until `is_stopping`. Nothing of what arrives can end it.
   void Run(const std::atomic<bool>& is_stopping);
 
+  /// Tells fallen-alarm that somebody at the page takes notice of an alarm. Thread-safe.
+  void Acknowledge(const std::string& event_id);
+
  private:
   void OnMessage(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept;
   void OnStatus(const lcm::ReceiveBuffer* buffer, const std::string& channel) noexcept;

@@ -32,8 +32,13 @@ export class Connection {
   }
 
   /// Asks for a frame: 'newest', the next that is new here, or a number.
-  want(what) {
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify({want: what}));
+  want(what) { this.send({want: what}); }
+
+  /// Somebody here has taken notice of an alarm.
+  acknowledge(id) { this.send({acknowledge: id}); }
+
+  send(wish) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(wish));
   }
 
   take(data) {

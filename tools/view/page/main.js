@@ -25,6 +25,7 @@ const plot = new Plot(timeline, player);
 let source = null;
 let frame = null;
 let alarms = [];
+let activeAlarms = [];  // at the time that is shown
 let received = [];  // times of the last frames that came [ms]
 
 function showSource() {
@@ -86,7 +87,15 @@ function takeFrame(value) {
 // An alarm may come, or be acknowledged, between two frames.
 function showNews() {
   const isNewest = player.isLiveFeed && player.followsNewest;
-  showBanner(frame ?? {}, showAlarms(alarms, isNewest ? Infinity : frame?.utime ?? 0));
+  activeAlarms = showAlarms(alarms, isNewest ? Infinity : frame?.utime ?? 0, isNewest ? acknowledge : null);
+  showBanner(frame ?? {}, activeAlarms);
+}
+
+function acknowledge(id) { connection.acknowledge(id); }
+
+function acknowledgeNewest() {
+  const newest = activeAlarms.find(({state}) => state === 'raised');
+  if (newest && player.isLiveFeed && player.followsNewest) acknowledge(newest.alarm.id);
 }
 
 function showFacts() {
@@ -169,6 +178,7 @@ const bindings = [
   {keys: ['f'], name: 'F', what: 'Follow the robot, or not', run: toggleFollowing},
   {keys: ['g'], name: 'G', what: 'Floor lines, or not', run: () => { world.floor.toggle(); world.invalidate(); }},
   {keys: ['e'], name: 'E', what: 'Environment map, or not', run: () => world.toggleEnvironment()},
+  {keys: ['a'], name: 'A', what: 'Acknowledge the newest alarm (live)', run: acknowledgeNewest},
   {keys: ['t'], name: 'T', what: 'Light or dark', run: toggleTheme},
   {keys: ['?'], name: '?', what: 'These keys', run: () => byId('help').showModal()},
 ];

@@ -163,7 +163,7 @@ asio::awaitable<void> PageServer::State::ServeRequests(beast::tcp_stream& stream
 }
 
 asio::awaitable<void> PageServer::State::ServeFeed(beast::tcp_stream& stream, Request request) {
-  const auto session = std::make_shared<PageSession>(std::move(stream), feed);
+  const auto session = std::make_shared<PageSession>(std::move(stream), feed, options.acknowledge);
   std::erase_if(sessions, [](const auto& known) { return known.expired(); });
   sessions.push_back(session);
   co_await session->Run(std::move(request));

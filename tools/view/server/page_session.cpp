@@ -23,8 +23,11 @@ constexpr int kSendBuffer = 256 * 1024;
 
 }  // namespace
 
-PageSession::PageSession(beast::tcp_stream stream, Feed& feed)
-    : socket_(std::move(stream)), feed_(feed), wake_(socket_.get_executor()) {
+PageSession::PageSession(beast::tcp_stream stream, Feed& feed, Acknowledge acknowledge)
+    : socket_(std::move(stream)),
+      feed_(feed),
+      acknowledge_(std::move(acknowledge)),
+      wake_(socket_.get_executor()) {
   // Pings tell a browser that went away from one that is busy.
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(kMaxIncomingBytes);
@@ -98,7 +101,12 @@ Feed::Message PageSession::NextFrame() {
 
 void PageSession::Take(const std::string& text) {
   const nlohmann::json wish = nlohmann::json::parse(text, nullptr, false);
-  if (!wish.is_object() || !wish.contains("want")) return;
+  if (!wish.is_object()) return;
+  if (const auto id = wish.find("acknowledge"); id != wish.end() && id->is_string()) {
+    if (const auto event_id = id->get<std::string>(); !event_id.empty() && acknowledge_)
+      acknowledge_(event_id);
+  }
+  if (!wish.contains("want")) return;
   const nlohmann::json& want = wish["want"];
   wants_newest_ = want == "newest";
   wanted_frame_.reset();

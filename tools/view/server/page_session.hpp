@@ -10,6 +10,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,8 +24,11 @@ class PageSession : public std::enable_shared_from_this<PageSession> {
  public:
   using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-  /// @param feed  Must outlive this.
-  PageSession(boost::beast::tcp_stream stream, Feed& feed);
+  using Acknowledge = std::function<void(const std::string& event_id)>;
+
+  /// @param feed         Must outlive this.
+  /// @param acknowledge  Is told of alarms that somebody takes notice of; may be empty.
+  PageSession(boost::beast::tcp_stream stream, Feed& feed, Acknowledge acknowledge);
 
   /// Accepts the upgrade and runs until the browser leaves. Throws nothing.
   boost::asio::awaitable<void> Run(Request request);
@@ -41,6 +45,7 @@ class PageSession : public std::enable_shared_from_this<PageSession> {
 
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
   Feed& feed_;
+  Acknowledge acknowledge_;
   boost::asio::steady_timer wake_;
   bool is_open_ = true;
 
