@@ -24,13 +24,14 @@ struct BaselineConfig {
   /// Points below clearance + per_sq * depth^2 over the floor are floor [m], [1/m]; both >= 0.
   double ground_clearance_m = 0.04;
   double ground_clearance_per_sq_m = 0.003;
-  double max_height_m = 0.6;          ///< points higher above the floor are left out, > 0
-  double leaf_m = 0.03;               ///< edge of the grid that thins the cloud, > 0
-  double normal_radius_m = 0.09;      ///< neighbourhood of a surface normal, >= leaf
-  double cluster_tolerance_m = 0.06;  ///< points nearer to each other belong together, >= leaf
-  int min_cluster_points = 80;        ///< of the thinned cloud, >= 3
-  int layers = 5;                     ///< [1, 100]; the highest has no upper end
-  double layer_height_m = 0.1;        ///< > 0
+  // Tuned on simulated validation recordings, but for the bins.
+  double max_height_m = 0.4;          ///< points higher above the floor are left out, > 0
+  double leaf_m = 0.02;               ///< edge of the grid that thins the cloud, > 0
+  double normal_radius_m = 0.06;      ///< neighbourhood of a surface normal, >= leaf
+  double cluster_tolerance_m = 0.04;  ///< points nearer to each other belong together, >= leaf
+  int min_cluster_points = 120;       ///< of the thinned cloud, >= 3
+  int layers = 8;                     ///< [1, 100]; the highest has no upper end
+  double layer_height_m = 0.05;       ///< > 0
   int normal_bins = 7;  ///< of each of a layer's three histograms, [1, 100]; [Hegger12]
 
   /// @throws std::invalid_argument for the first value out of range.

@@ -15,7 +15,7 @@ namespace fallen {
 
 /// Which frames the baseline learns from and is measured on.
 struct BaselineSamplingConfig {
-  int frame_stride = 8;             ///< of training recordings, every so many frames, >= 1
+  int frame_stride = 13;            ///< of training recordings, every so many frames, >= 1
   int validation_frame_stride = 2;  ///< of validation recordings, >= 1
   std::int64_t seed = 1;            ///< of the split, where no validation recordings are named
 
@@ -32,7 +32,7 @@ struct BaselineTrainingConfig {
   BaselineSamplingConfig sampling;
   BaselineConfig baseline;
   BoostingConfig boosting{
-      .rounds = 300, .max_depth = 4, .min_leaf_weight = 1e-3, .learning_rate = 0.1};
+      .rounds = 400, .max_depth = 6, .min_leaf_weight = 1e-3, .learning_rate = 0.1};
 
   /// @throws std::invalid_argument for the first setting that is out of range.
   void Validate() const;

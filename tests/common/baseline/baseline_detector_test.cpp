@@ -14,13 +14,13 @@ namespace {
 
 using lying_scene::With;
 
-// Takes what is at most 0.4 m high for a person: the block, not the wall.
+// Takes what is at most 0.3 m high for a person: the block, not the wall.
 BaselineModel LowIsAPerson() {
   BaselineModel model;
   const int height = LayerFeatureCount(model.config) - kClusterGeometryFeatures + 3;
   model.trees.feature_count = LayerFeatureCount(model.config);
   model.trees.roots = {0};
-  model.trees.nodes = {{height, 0.4F, 1, 0}, {-1, 0, 0, 1}, {-1, 0, 0, -1}};
+  model.trees.nodes = {{height, 0.3F, 1, 0}, {-1, 0, 0, 1}, {-1, 0, 0, -1}};
   model.calibration.slope = 3;
   model.calibration.operating_points = {{0.5, 0.01, 0.1}};
   return model;

@@ -16,6 +16,7 @@ namespace {
 BaselineConfig SmallConfig() {
   BaselineConfig config;
   config.layers = 2;
+  config.layer_height_m = 0.1;
   config.normal_bins = 2;
   config.leaf_m = 0.05;
   return config;
