@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# fallen-spy as a person uses it, on a screen of its own: types decoded, the plugin's plan drawn, the log player
-# opened; and a subscriber in Java. Screenshots are left in OUT, to be looked at.
+# fallen-spy as a person uses it, on a screen of its own: types decoded, the plugins' plan and status drawn, the
+# log player opened; and a subscriber in Java. Screenshots are left in OUT, to be looked at.
 # usage: spy_test.bash BIN SOURCE OUT
 set -euo pipefail
 bin=$1 source=$2 out=$3
@@ -23,11 +23,34 @@ leave() {
   rm -rf "$work"
 }
 trap leave EXIT
-fail() { echo "failed: $*" >&2; cat "$work"/*.log >&2; exit 1; }
+fail() {
+  echo "failed: $*" >&2
+  cat "$work"/*.log >&2
+  import -window root "$out/failed.png" 2>/dev/null && echo "see $out/failed.png" >&2
+  exit 1
+}
 # until_true SECONDS COMMAND...
 until_true() {
   local end=$((SECONDS + $1)); shift
   until "$@" >/dev/null 2>&1; do [ $SECONDS -lt $end ] || return 1; sleep 0.2; done
+}
+
+# shows COLOUR: whether it is in a screenshot, which is kept.
+shows() {
+  import -window root "$out/lcm-spy.png"
+  [ "$(convert "$out/lcm-spy.png" -fill black +opaque "$1" -format '%[fx:mean>0]' info:)" = 1 ]
+}
+# open_plugin ROW WINDOW: the second entry of the menu of a channel, the plugin's, until its window is there.
+open_plugin() {
+  local y=$((12 + 16 * $1)) _
+  for _ in $(seq 8); do
+    xdotool mousemove 80 $y click 3
+    sleep 1
+    xdotool mousemove 130 $((y + 32)) click 1
+    until_true 4 xdotool search --name "$2" && return
+    xdotool key Escape
+  done
+  return 1
 }
 
 mkdir -p "$out"
@@ -47,17 +70,17 @@ until_true 60 xdotool search --name 'LCM Spy' || fail "lcm-spy has no window"
 play() { lcm-logplayer --lcm-url="$LCM_DEFAULT_URL" --regexp='FALLEN_PERSONS_.*' "$work/stages.lcm" >/dev/null; }
 play & player=$!
 sleep 2
-xdotool mousemove 80 28 click 3  # the only channel
-sleep 1
-xdotool mousemove 130 60 click 1 # the second entry of its menu: the plan
-until_true 30 xdotool search --name '^FALLEN_PERSONS_CAMERA$' || fail "the plugin has no window"
+open_plugin 1 '^FALLEN_PERSONS_CAMERA$' || fail "the plan has no window"
 wait $player
 play
 sleep 1
-import -window root "$out/lcm-spy.png"
-person='rgb(214,0,56)'
-[ "$(convert "$out/lcm-spy.png" -fill black +opaque "$person" -format '%[fx:mean>0]' info:)" = 1 ] ||
-  fail "no person was drawn, see $out/lcm-spy.png"
+xdotool search --name '^FALLEN_PERSONS_CAMERA$' windowmove %@ 560 330  # off the list
+"$bin/fallen-background-subtraction" --lcm-url "$LCM_DEFAULT_URL" 2>"$work/service.log" & pids+=($!)
+sleep 3  # its first status, and a line of the list: the third, after LCM_SELF_TEST
+open_plugin 3 '^STATUS_' || fail "the status has no window"
+xdotool search --name '^STATUS_' windowmove %@ 100 330
+until_true 30 shows 'rgb(207,13,54)' || fail "no status was drawn"  # degraded: it has no environment map
+until_true 30 shows 'rgb(214,0,56)' || fail "no person was drawn"
 grep -q 'FALLEN_PERSONS_CAMERA frame [0-9]*: fallen person at' "$work/listener.log" || fail "the subscriber heard no person"
 
 "$bin/fallen-spy" --play "$work/stages.lcm" >"$work/player.log" 2>&1 & pids+=($!)
@@ -71,4 +94,4 @@ for call in '--play /nowhere.lcm' '--lcm-url' 'nonsense'; do
   "$bin/fallen-spy" $call 2>"$work/error.log" || status=$?
   [ $status = 2 ] && [ "$(wc -l <"$work/error.log")" = 1 ] || fail "fallen-spy $call: status $status"
 done
-echo "types decoded, plan drawn, log player open"
+echo "types decoded, plan and status drawn, log player open"

@@ -3,12 +3,8 @@
 package fallen.spy;
 
 import fallen.service_status_t;
-import java.awt.event.ActionEvent;
-import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.JDesktopPane;
-import javax.swing.JFrame;
-import javax.swing.Timer;
 import lcm.spy.ChannelData;
 import lcm.spy.SpyPlugin;
 
@@ -23,20 +19,7 @@ public class StatusPlugin implements SpyPlugin {
 
   @Override
   public Action getAction(JDesktopPane desktop, ChannelData channel) {
-    return new AbstractAction("Service status") {
-      @Override
-      public void actionPerformed(ActionEvent event) {
-        StatusPanel panel = new StatusPanel();
-        JFrame frame = new JFrame(channel.name);
-        frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
-        frame.add(panel);
-        frame.pack();
-        frame.setVisible(true);
-        new Timer(REFRESH_MS, tick -> {
-          if (!frame.isDisplayable()) ((Timer) tick.getSource()).stop();
-          panel.show((service_status_t) channel.last);
-        }).start();
-      }
-    };
+    return ChannelWindow.action("Service status", channel, REFRESH_MS, StatusPanel::new,
+        (panel, message) -> panel.show((service_status_t) message));
   }
 }
