@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A big map live: node big_map_test.mjs BIN_DIR PUBLISH_MAPS SOURCE_DIR OUT_DIR
-// FALLEN_FLUID_SECONDS: how long it is watched.
+// How fluid the page is with a big map live: node big_map_rate.mjs BIN_DIR PUBLISH_MAPS SOURCE_DIR OUT_DIR
+// A measurement for a machine that has nothing else to do, no test of every day.
 import assert from 'node:assert/strict';
 import {mkdirSync, readFileSync} from 'node:fs';
 import path from 'node:path';
@@ -11,7 +11,7 @@ import {findBrowser, openPage, start, startViewer, waitFor} from './viewer.mjs';
 
 const [bin, publisher, source, out] = process.argv.slice(2);
 const kBigMap = 6000;
-const kSeconds = Number(process.env.FALLEN_FLUID_SECONDS ?? 6);
+const kSeconds = 30;
 const lcm = `udpm://239.255.76.67:${20000 + process.pid % 10000}?ttl=0&recv_buf_size=4194304`;
 mkdirSync(out, {recursive: true});
 
@@ -52,9 +52,7 @@ test(`keeps up with ${kBigMap} ellipsoids at 10 Hz`, async () => {
   console.log(`${kBigMap} ellipsoids: ${hertz.toFixed(1)} maps/s shown, drawn ${drawn[0]} to ${drawn.at(-1)}, median ` +
       `${drawn[drawn.length >> 1]} pictures/s in software; server ${resident[0].toFixed(0)} MB at first, ` +
       `${resident.at(-1).toFixed(0)} MB at last, at most ${Math.max(...resident).toFixed(0)} MB`);
-  // A machine that has time shows all ten; one that has not must not stand still.
-  assert.ok(hertz > 0.5, `${hertz} maps a second`);
-  assert.ok(drawn[drawn.length >> 1] >= 0.5, `${drawn} pictures a second`);
+  assert.ok(hertz > 8, `${hertz} maps a second`);
   assert.deepEqual(page.problems, []);
   maps.kill('SIGKILL');
   await page.screenshot({path: path.join(out, 'big-map.png'), timeout: 60_000});
