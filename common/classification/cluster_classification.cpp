@@ -97,11 +97,18 @@ double ClusterEvidence(const SegmentedMap& segmented, const CellCluster& cluster
 
 Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
                           const ClassificationConfig& config) {
+  Decision decision;
+  ClassifyClusters(segmented, model, config, decision);
+  return decision;
+}
+
+void ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
+                      const ClassificationConfig& config, Decision& decision) {
   config.Validate();
   if (!(segmented.iron == model.iron))
     Fail("the descriptors were computed with other settings than the model's");
 
-  Decision decision;
+  decision.hypotheses.clear();
   decision.frame = segmented.frame;
   decision.T_map_camera = segmented.T_map_camera;
   decision.view = segmented.view;
@@ -109,7 +116,6 @@ Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& mod
   for (const CellCluster& cluster : segmented.clusters)
     decision.hypotheses.push_back(Judge(segmented, cluster, model, decision.min_probability));
   decision.hypotheses = BestOfEachPlace(std::move(decision.hypotheses), config.min_separation_m);
-  return decision;
 }
 
 }  // namespace fallen

@@ -52,26 +52,30 @@ Detector::Detector(Model model, const DetectorConfig& config, BackgroundSubtract
 
 FrameResult Detector::Detect(const Frame& frame) {
   FrameResult result;
+  Detect(frame, result);
+  return result;
+}
+
+void Detector::Detect(const Frame& frame, FrameResult& result) {
   StageTimes& times = result.milliseconds;
   Stopwatch total;
 
-  NdtMap map = UpdateMap(mapper_, frame, config_.ground, &times);
+  UpdateMap(mapper_, frame, config_.ground, result.foreground.map, &times);
 
   Stopwatch stage;
-  result.foreground = background_.Subtract(std::move(map));
+  background_.Subtract(result.foreground);
   times.background = stage.LapMilliseconds();
 
   SegmentationTimes segmentation;
-  result.segmented = segmenter_.Segment(result.foreground, &segmentation);
+  segmenter_.Segment(result.foreground, result.segmented, &segmentation);
   times.iron = segmentation.iron;
   times.cells = segmentation.cells;
 
   stage.LapMilliseconds();
-  result.decision = ClassifyClusters(result.segmented, model_.clusters, config_.classification);
+  ClassifyClusters(result.segmented, model_.clusters, config_.classification, result.decision);
   times.clusters = segmentation.clusters + stage.LapMilliseconds();
 
   times.total = total.LapMilliseconds();
-  return result;
 }
 
 }  // namespace fallen

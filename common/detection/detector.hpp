@@ -46,6 +46,10 @@ class Detector {
   /// @throws std::invalid_argument if the image or a transform is malformed; the map is unchanged
   /// then.
   FrameResult Detect(const Frame& frame);
+  /// Likewise, into memory that is there: given the same `result` frame after frame, nothing is
+  /// allocated once the memory is large enough, but for clusters, which allocate while they are
+  /// made and judged, and for the search of a floor in the image.
+  void Detect(const Frame& frame, FrameResult& result);
 
  private:
   Model model_;

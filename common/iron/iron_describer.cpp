@@ -142,10 +142,11 @@ const IronDescriptors& IronDescriber::Describe(std::span<const NdtCell> cells,
   if (!wanted.empty()) RequireSize("wanted", wanted.size(), cells.size());
   const auto rows = static_cast<Eigen::Index>(cells.size());
   GrowRows(descriptors_.values, rows, config_.dimension());
-  descriptors_.values.setZero();
   descriptors_.neighbor_counts.assign(cells.size(), 0);
   SelectUsable(cells, normals, wanted);
   for (const CellTile& tile : tiles_.tiles()) DescribeTile(tile);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (!descriptors_.valid(i)) descriptors_.values.row(static_cast<Eigen::Index>(i)).setZero();
   return descriptors_;
 }
 

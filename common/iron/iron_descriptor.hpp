@@ -61,7 +61,7 @@ struct IronDescriptors {
   using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   /// cells x dimension: histogram 1 (normal against normal) row-major, then histogram 2 (normal
   /// against connecting line). Each sums to 1 in a valid row; invalid rows are zero. May have more
-  /// rows than there are cells, also zero.
+  /// rows than there are cells; those mean nothing.
   Matrix values;
   std::vector<std::int32_t> neighbor_counts;  ///< 0: filtered out or too few neighbours
 

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "fallen/segmentation/cell_segmenter.hpp"
-#include "fallen/segmentation/dbscan.hpp"
 
 namespace fallen {
 namespace {
@@ -54,34 +53,6 @@ void TakeForegroundOnly(const ForegroundMap& foreground, NdtMap& map) {
   map.cells.clear();
   for (std::size_t i = 0; i < foreground.map.cells.size(); ++i)
     if (foreground.is_foreground[i]) map.cells.push_back(foreground.map.cells[i]);
-}
-
-// Sets `cluster` of the cells that are grouped, and returns the groups that are large enough.
-std::vector<CellCluster> ClusterCells(std::vector<ScoredCell>& cells,
-                                      std::span<const std::uint8_t> is_too_high,
-                                      const SegmentationConfig& config) {
-  std::vector<std::int32_t> candidates;
-  std::vector<Eigen::Vector3f> points;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (is_too_high[k] || static_cast<double>(cells[k].score) < config.min_score) continue;
-    candidates.push_back(static_cast<std::int32_t>(k));
-    points.push_back(cells[k].cell.mean);
-  }
-  const std::vector<std::int32_t> labels =
-      Dbscan(points, static_cast<float>(config.cluster_epsilon_m), config.cluster_min_points);
-
-  std::vector<CellCluster> found;
-  for (std::size_t c = 0; c < labels.size(); ++c) {
-    if (labels[c] == kNoise) continue;
-    found.resize(std::max(found.size(), static_cast<std::size_t>(labels[c]) + 1));
-    found[labels[c]].cells.push_back(candidates[c]);
-  }
-  std::erase_if(found, [&](const CellCluster& cluster) {
-    return static_cast<std::int64_t>(cluster.cells.size()) < config.min_cluster_cells;
-  });
-  for (std::size_t c = 0; c < found.size(); ++c)
-    for (const std::int32_t k : found[c].cells) cells[k].cluster = static_cast<std::int32_t>(c);
-  return found;
 }
 
 }  // namespace
@@ -161,7 +132,68 @@ void CellSegmenter::SmoothScores() {
     if (is_described_[u]) scores_[k++] = smoothed[u];
 }
 
+void CellSegmenter::WriteCells(const NdtMap& visible, const GroundEstimate& ground,
+                               std::vector<ScoredCell>& cells) {
+  cells.clear();
+  is_too_high_.assign(described_.size(), 0);
+  for (std::size_t k = 0; k < described_.size(); ++k) {
+    const NdtCell& cell = visible.cells[described_[k]];
+    if (ground.ok())
+      is_too_high_[k] = ground.plane.SignedHeight(cell.mean.cast<double>()) > config_.max_height_m;
+    cells.push_back({cell, is_too_high_[k] ? kNeverPerson : scores_[k], -1});
+  }
+}
+
+// Makes clusters of the cells that are grouped, where the groups are large enough.
+void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMap& segmented) {
+  std::vector<ScoredCell>& cells = segmented.cells;
+  candidates_.clear();
+  candidate_means_.clear();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (is_too_high_[k] || static_cast<double>(cells[k].score) < config_.min_score) continue;
+    candidates_.push_back(static_cast<std::int32_t>(k));
+    candidate_means_.push_back(cells[k].cell.mean);
+  }
+  const std::vector<std::int32_t>& labels = clusterer_.Label(
+      candidate_means_, static_cast<float>(config_.cluster_epsilon_m), config_.cluster_min_points);
+
+  // Small groups are dropped before memory is made for them.
+  group_sizes_.clear();
+  for (const std::int32_t label : labels) {
+    if (label == kNoise) continue;
+    if (static_cast<std::size_t>(label) >= group_sizes_.size()) group_sizes_.resize(label + 1, 0);
+    ++group_sizes_[label];
+  }
+  segmented.clusters.clear();
+  cluster_of_group_.clear();
+  for (const std::int32_t size : group_sizes_) {
+    const bool is_cluster = size >= config_.min_cluster_cells;
+    cluster_of_group_.push_back(is_cluster ? static_cast<std::int32_t>(segmented.clusters.size())
+                                           : -1);
+    if (is_cluster) segmented.clusters.emplace_back().cells.reserve(size);
+  }
+  for (std::size_t c = 0; c < labels.size(); ++c) {
+    if (labels[c] == kNoise || cluster_of_group_[labels[c]] < 0) continue;
+    cells[candidates_[c]].cluster = cluster_of_group_[labels[c]];
+    segmented.clusters[cluster_of_group_[labels[c]]].cells.push_back(candidates_[c]);
+  }
+  for (CellCluster& cluster : segmented.clusters) {
+    cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()),
+                               descriptors.values.cols());
+    for (std::size_t k = 0; k < cluster.cells.size(); ++k)
+      cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
+          descriptors.values.row(described_[cluster.cells[k]]);
+  }
+}
+
 SegmentedMap CellSegmenter::Segment(const ForegroundMap& foreground, SegmentationTimes* times) {
+  SegmentedMap segmented;
+  Segment(foreground, segmented, times);
+  return segmented;
+}
+
+void CellSegmenter::Segment(const ForegroundMap& foreground, SegmentedMap& segmented,
+                            SegmentationTimes* times) {
   Check(foreground, cell_size_m_);
   const NdtMap& map = foreground.map;
   Stopwatch stopwatch;
@@ -180,7 +212,6 @@ SegmentedMap CellSegmenter::Segment(const ForegroundMap& foreground, Segmentatio
                 scores_);
   SmoothScores();
 
-  SegmentedMap segmented;
   segmented.cell_size_m = map.cell_size_m;
   segmented.frame = map.frame;
   segmented.T_map_camera = map.T_map_camera;
@@ -188,27 +219,11 @@ SegmentedMap CellSegmenter::Segment(const ForegroundMap& foreground, Segmentatio
   segmented.ground = map.ground;
   segmented.background = foreground.status;
   segmented.iron = describer_.config();
-  segmented.cells.reserve(described_.size());
-  is_too_high_.assign(described_.size(), 0);
-  for (std::size_t k = 0; k < described_.size(); ++k) {
-    const NdtCell& cell = visible.cells[described_[k]];
-    if (map.ground.ok())
-      is_too_high_[k] =
-          map.ground.plane.SignedHeight(cell.mean.cast<double>()) > config_.max_height_m;
-    segmented.cells.push_back({cell, is_too_high_[k] ? kNeverPerson : scores_[k], -1});
-  }
+  WriteCells(visible, map.ground, segmented.cells);
   const double cells_ms = stopwatch.Lap();
 
-  segmented.clusters = ClusterCells(segmented.cells, is_too_high_, config_);
-  for (CellCluster& cluster : segmented.clusters) {
-    cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()),
-                               descriptors.values.cols());
-    for (std::size_t k = 0; k < cluster.cells.size(); ++k)
-      cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
-          descriptors.values.row(described_[cluster.cells[k]]);
-  }
+  ClusterCells(descriptors, segmented);
   if (times) *times = {iron_ms, cells_ms, stopwatch.Lap()};
-  return segmented;
 }
 
 SegmentedMap SegmentCells(const ForegroundMap& foreground, const CellModel& model,

@@ -8,6 +8,7 @@
 
 #include "fallen/iron/iron_describer.hpp"
 #include "fallen/segmentation/cell_segmentation.hpp"
+#include "fallen/segmentation/dbscan.hpp"
 #include "fallen/segmentation/smoothing.hpp"
 #include "fallen/segmentation/tree_scorer.hpp"
 
@@ -23,11 +24,17 @@ class CellSegmenter {
 
   /// @throws std::invalid_argument as SegmentCells.
   SegmentedMap Segment(const ForegroundMap& foreground, SegmentationTimes* times = nullptr);
+  /// Likewise, into memory that is there.
+  void Segment(const ForegroundMap& foreground, SegmentedMap& segmented,
+               SegmentationTimes* times = nullptr);
 
  private:
   void FindWanted(const NdtMap& map, std::span<const std::uint8_t> is_foreground);
   void FindDescribed(const IronDescriptors& descriptors);
   void SmoothScores();
+  void WriteCells(const NdtMap& visible, const GroundEstimate& ground,
+                  std::vector<ScoredCell>& cells);
+  void ClusterCells(const IronDescriptors& descriptors, SegmentedMap& segmented);
 
   SegmentationConfig config_;
   double cell_size_m_;
@@ -44,6 +51,11 @@ class CellSegmenter {
   std::vector<std::uint8_t> is_too_high_;
   std::vector<float> usable_scores_;  // by the describer's usable cells
   std::vector<std::uint8_t> is_described_;
+  PointClusterer clusterer_;
+  std::vector<std::int32_t> candidates_;  // scored cells that may be a person's
+  std::vector<Eigen::Vector3f> candidate_means_;
+  std::vector<std::int32_t> group_sizes_;
+  std::vector<std::int32_t> cluster_of_group_;  // -1: too small
 };
 
 }  // namespace fallen

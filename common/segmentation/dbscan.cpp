@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "fallen/iron/neighbor_grid.hpp"
-
 namespace fallen {
 namespace {
 
@@ -20,36 +18,6 @@ void Check(std::span<const Eigen::Vector3f> points, float epsilon_m, int min_poi
   if (min_points < 1) Fail("min_points is " + std::to_string(min_points) + ", must be >= 1");
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!points[i].allFinite()) Fail("point " + std::to_string(i) + " is not finite");
-}
-
-std::vector<std::uint8_t> FindCorePoints(const NeighborGrid& grid,
-                                         std::span<const Eigen::Vector3f> points, float epsilon_m,
-                                         int min_points) {
-  std::vector<std::uint8_t> is_core(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    int count = 0;
-    grid.ForEachWithin(points[i], epsilon_m, [&](std::int32_t, float) { ++count; });
-    is_core[i] = count >= min_points;
-  }
-  return is_core;
-}
-
-// Gives `cluster` to the core points that chains of core points, each within epsilon of the one
-// before, connect with `seed`.
-void LabelConnectedCores(const NeighborGrid& grid, std::span<const Eigen::Vector3f> points,
-                         std::span<const std::uint8_t> is_core, float epsilon_m, std::int32_t seed,
-                         std::int32_t cluster, std::vector<std::int32_t>& labels) {
-  std::vector<std::int32_t> open{seed};
-  labels[seed] = cluster;
-  while (!open.empty()) {
-    const std::int32_t core = open.back();
-    open.pop_back();
-    grid.ForEachWithin(points[core], epsilon_m, [&](std::int32_t neighbor, float) {
-      if (!is_core[neighbor] || labels[neighbor] != kNoise) return;
-      labels[neighbor] = cluster;
-      open.push_back(neighbor);
-    });
-  }
 }
 
 std::int32_t NearestCore(const NeighborGrid& grid, const Eigen::Vector3f& point,
@@ -67,25 +35,56 @@ std::int32_t NearestCore(const NeighborGrid& grid, const Eigen::Vector3f& point,
 
 }  // namespace
 
-std::vector<std::int32_t> Dbscan(std::span<const Eigen::Vector3f> points, float epsilon_m,
-                                 int min_points) {
-  Check(points, epsilon_m, min_points);
-  std::vector<std::int32_t> labels(points.size(), kNoise);
-  if (points.empty()) return labels;
+void PointClusterer::FindCorePoints(std::span<const Eigen::Vector3f> points, float epsilon_m,
+                                    int min_points) {
+  is_core_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    int count = 0;
+    grid_.ForEachWithin(points[i], epsilon_m, [&](std::int32_t, float) { ++count; });
+    is_core_[i] = count >= min_points;
+  }
+}
 
-  const NeighborGrid grid(points, epsilon_m);
-  const std::vector<std::uint8_t> is_core = FindCorePoints(grid, points, epsilon_m, min_points);
+// Gives `cluster` to the core points that chains of core points, each within epsilon of the one
+// before, connect with `seed`.
+void PointClusterer::LabelConnectedCores(std::span<const Eigen::Vector3f> points, float epsilon_m,
+                                         std::int32_t seed, std::int32_t cluster) {
+  open_.assign(1, seed);
+  labels_[seed] = cluster;
+  while (!open_.empty()) {
+    const std::int32_t core = open_.back();
+    open_.pop_back();
+    grid_.ForEachWithin(points[core], epsilon_m, [&](std::int32_t neighbor, float) {
+      if (!is_core_[neighbor] || labels_[neighbor] != kNoise) return;
+      labels_[neighbor] = cluster;
+      open_.push_back(neighbor);
+    });
+  }
+}
+
+const std::vector<std::int32_t>& PointClusterer::Label(std::span<const Eigen::Vector3f> points,
+                                                       float epsilon_m, int min_points) {
+  Check(points, epsilon_m, min_points);
+  labels_.assign(points.size(), kNoise);
+  if (points.empty()) return labels_;
+
+  grid_.Build(points, epsilon_m);
+  FindCorePoints(points, epsilon_m, min_points);
   std::int32_t cluster_count = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (is_core[i] && labels[i] == kNoise)
-      LabelConnectedCores(grid, points, is_core, epsilon_m, static_cast<std::int32_t>(i),
-                          cluster_count++, labels);
+    if (is_core_[i] && labels_[i] == kNoise)
+      LabelConnectedCores(points, epsilon_m, static_cast<std::int32_t>(i), cluster_count++);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_core[i]) continue;
-    const std::int32_t core = NearestCore(grid, points[i], is_core, epsilon_m);
-    if (core != kNoise) labels[i] = labels[core];
+    if (is_core_[i]) continue;
+    const std::int32_t core = NearestCore(grid_, points[i], is_core_, epsilon_m);
+    if (core != kNoise) labels_[i] = labels_[core];
   }
-  return labels;
+  return labels_;
+}
+
+std::vector<std::int32_t> Dbscan(std::span<const Eigen::Vector3f> points, float epsilon_m,
+                                 int min_points) {
+  return PointClusterer().Label(points, epsilon_m, min_points);
 }
 
 }  // namespace fallen

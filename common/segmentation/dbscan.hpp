@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "fallen/iron/neighbor_grid.hpp"
+
 namespace fallen {
 
 /// Cluster index of a point that belongs to none.
@@ -26,5 +28,23 @@ inline constexpr std::int32_t kNoise = -1;
 /// < 1. Deterministic. Thread-safe. O(pairs within epsilon_m).
 std::vector<std::int32_t> Dbscan(std::span<const Eigen::Vector3f> points, float epsilon_m,
                                  int min_points);
+
+/// Dbscan for frame after frame in the same memory. Not thread-safe.
+class PointClusterer {
+ public:
+  /// As Dbscan. The labels hold until the next call.
+  const std::vector<std::int32_t>& Label(std::span<const Eigen::Vector3f> points, float epsilon_m,
+                                         int min_points);
+
+ private:
+  void FindCorePoints(std::span<const Eigen::Vector3f> points, float epsilon_m, int min_points);
+  void LabelConnectedCores(std::span<const Eigen::Vector3f> points, float epsilon_m,
+                           std::int32_t seed, std::int32_t cluster);
+
+  NeighborGrid grid_;
+  std::vector<std::uint8_t> is_core_;
+  std::vector<std::int32_t> labels_;
+  std::vector<std::int32_t> open_;
+};
 
 }  // namespace fallen

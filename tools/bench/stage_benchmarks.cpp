@@ -35,12 +35,13 @@ void Register(const std::string& name, const BenchSequence& sequence,
 
 void RunDetect(benchmark::State& state, BenchSequence& sequence, Detector detector) {
   std::size_t step = 0;
-  while (step < WarmUpSteps(sequence)) detector.Detect(sequence.At(step++));
+  FrameResult result;
+  while (step < WarmUpSteps(sequence)) detector.Detect(sequence.At(step++), result);
   LapTimes laps, ground, ndt, background, iron, cells, clusters, map_size;
   for (auto _ : state) {
     const Frame& frame = sequence.At(step++);
     laps.Start();
-    const FrameResult result = detector.Detect(frame);
+    detector.Detect(frame, result);
     laps.Stop();
     const StageTimes& times = result.milliseconds;
     ground.Add(times.ground);
@@ -105,17 +106,17 @@ void RunNdt(benchmark::State& state, BenchSequence& sequence, const GroundConfig
   for (std::size_t i = 0; i < sequence.size(); ++i)
     ground.push_back(EstimateGround(sequence[i].image, sequence[i].T_robot_camera, ground_config));
   NdtMapper mapper(config);
+  NdtMap map;
   const auto update = [&](std::size_t step) {
     const Frame& frame = sequence.At(step);
-    return mapper.Update(frame.utime, frame.image, CameraPose(frame),
-                         ground[sequence.IndexAt(step)]);
+    mapper.Update(frame.utime, frame.image, CameraPose(frame), ground[sequence.IndexAt(step)], map);
   };
   std::size_t step = 0;
   while (step < WarmUpSteps(sequence)) update(step++);
   LapTimes laps, map_size;
   for (auto _ : state) {
     laps.Start();
-    const NdtMap map = update(step++);
+    update(step++);
     laps.Stop();
     map_size.Add(static_cast<double>(map.cells.size()));
   }
