@@ -18,7 +18,9 @@ class DirectorySource : public FrameSource {
   DirectorySource(const std::filesystem::path& directory, std::string camera);
 
   std::optional<Frame> Next() override;
-  std::optional<GroundTruth> Truth(const Frame&) override { return directory_.truth; }
+  std::optional<GroundTruth> Truth(const Frame& frame) override {
+    return directory_.TruthOf(static_cast<std::size_t>(frame.seq));  // counts the images
+  }
   const std::string& camera() const override { return camera_; }
   double share_done() const override;
   Damage damage() const override { return damage_; }

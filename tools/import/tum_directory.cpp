@@ -81,31 +81,6 @@ void ReadPoses(const std::filesystem::path& path, TumDirectory& directory) {
   }
 }
 
-Eigen::Vector3d ReadVector(const YamlFile& file, const YAML::Node& parent, const std::string& key) {
-  const YAML::Node node = file.Require(parent, key);
-  std::vector<double> values;
-  if (!node.IsSequence() || !YAML::convert<std::vector<double>>::decode(node, values) ||
-      values.size() != 3 || !Eigen::Vector3d(values.data()).allFinite())
-    file.Fail(node, "a malformed " + key, "[x, y, z] in metres");
-  return Eigen::Vector3d(values.data());
-}
-
-GroundTruth ReadLabels(const std::filesystem::path& path) {
-  const YamlFile file(path);
-  const YAML::Node person = file.Require(file.root(), "person");
-  GroundTruth truth;
-  if (!file.Boolean(person, "present")) return truth;
-
-  const YAML::Node box = file.Require(person, "box");
-  OrientedBox person_box;
-  person_box.center = ReadVector(file, box, "center");
-  person_box.size = ReadVector(file, box, "size");
-  person_box.yaw = file.Number(box, "yaw");
-  if (person_box.size.minCoeff() <= 0) file.Fail(box["size"], "an edge <= 0", "edges > 0");
-  truth.person_box = person_box;
-  return truth;
-}
-
 }  // namespace
 
 TumDirectory ReadTumDirectory(const std::filesystem::path& path) {
@@ -117,15 +92,21 @@ TumDirectory ReadTumDirectory(const std::filesystem::path& path) {
   if (std::filesystem::exists(path / "groundtruth.txt"))
     ReadPoses(path / "groundtruth.txt", directory);
   if (std::filesystem::exists(path / "labels.yaml"))
-    directory.truth = ReadLabels(path / "labels.yaml");
+    directory.labels = ReadLabelFile(path / "labels.yaml");
   return directory;
+}
+
+std::optional<GroundTruth> TumDirectory::TruthOf(std::size_t index) const {
+  if (!labels) return std::nullopt;
+  const double seconds = static_cast<double>(frames.at(index).utime - frames.front().utime) * 1e-6;
+  return labels->At(static_cast<std::int64_t>(index), seconds);
 }
 
 TumMessages LoadTumFrame(const TumDirectory& directory, std::size_t index,
                          const std::string& sensor_name) {
   const TumFrame& frame = directory.frames.at(index);
   TumMessages messages;
-  messages.truth = directory.truth;
+  messages.truth = directory.TruthOf(index);
   messages.depth.header = {frame.utime, static_cast<std::int64_t>(index), sensor_name};
   messages.depth.image.intrinsics = directory.intrinsics;
   messages.depth.image.depth_unit_m = directory.depth_unit_m;

@@ -10,6 +10,7 @@
 
 #include "fallen/geometry/camera_intrinsics.hpp"
 #include "fallen/messages/conversions.hpp"
+#include "tools/import/label_file.hpp"
 
 /// Recordings as directories in the style of the TUM RGB-D benchmark.
 ///
@@ -29,13 +30,16 @@ struct TumFrame {
 struct TumDirectory {
   CameraIntrinsics intrinsics;
   double depth_unit_m = 0.001;
-  std::vector<TumFrame> frames;      ///< by time; at least one
-  std::optional<GroundTruth> truth;  ///< of every frame; nothing without `labels.yaml`
+  std::vector<TumFrame> frames;     ///< by time; at least one
+  std::optional<LabelFile> labels;  ///< nothing without `labels.yaml`
+
+  /// What `labels.yaml` says of frame `index`, if anything.
+  std::optional<GroundTruth> TruthOf(std::size_t index) const;
 };
 
 /// Reads `depth.txt` (`timestamp filename`), `camera.yaml` (width height fx fy cx cy depth_scale)
 /// and, where they are, `groundtruth.txt` (`timestamp tx ty tz qx qy qz qw`: camera in a world with
-/// z up and the floor at 0) and `labels.yaml` (`person:` with `present` and, if so, `box:`).
+/// z up and the floor at 0) and `labels.yaml` (LabelFile).
 ///
 /// Poses are interpolated at the images' times, as those of a robot are (PoseBuffer).
 /// @throws InputError naming file, line, got and expected.

@@ -29,7 +29,7 @@ TEST(ReadTumDirectory, ReadsCameraAndFrames) {
   EXPECT_EQ(directory.depth_unit_m, 0.001);
   ASSERT_EQ(directory.frames.size(), 3u);
   EXPECT_EQ(directory.frames[2].utime, 300000);
-  EXPECT_FALSE(directory.truth);
+  EXPECT_FALSE(directory.labels);
 
   const TumMessages messages = LoadTumFrame(directory, 2, "FRONT");
   EXPECT_EQ(messages.depth.header, (Header{300000, 2, "FRONT"}));
@@ -63,13 +63,13 @@ TEST(ReadTumDirectory, InterpolatesPosesAtTheImagesTimes) {
 TEST(ReadTumDirectory, ReadsLabels) {
   TumFixture fixture;
   fixture.Write("labels.yaml", "scene: kitchen\nperson:\n  present: false\n  note: none\n");
-  ASSERT_TRUE(ReadTumDirectory(fixture.path()).truth);
-  EXPECT_FALSE(ReadTumDirectory(fixture.path()).truth->person_box);
+  ASSERT_TRUE(ReadTumDirectory(fixture.path()).TruthOf(0));
+  EXPECT_FALSE(ReadTumDirectory(fixture.path()).TruthOf(0)->person_box);
 
   fixture.Write("labels.yaml",
                 "person:\n  present: true\n  box:\n    center: [1, 2, 0.15]\n"
                 "    size: [1.8, 0.5, 0.3]\n    yaw: 0.25\n");
-  const std::optional<OrientedBox> box = ReadTumDirectory(fixture.path()).truth->person_box;
+  const std::optional<OrientedBox> box = ReadTumDirectory(fixture.path()).TruthOf(0)->person_box;
   ASSERT_TRUE(box);
   EXPECT_EQ(*box, (OrientedBox{{1, 2, 0.15}, {1.8, 0.5, 0.3}, 0.25}));
 }
