@@ -23,6 +23,20 @@ const IronConfig& Validated(const IronConfig& config) {
   return config;
 }
 
+// Gives room for the cells' descriptors, none of them valid. Rows are zero but for those that the
+// last call filled.
+void ClearDescriptors(Eigen::Index cells, int dimension, IronDescriptors& descriptors) {
+  const Eigen::Index had_rows = descriptors.values.rows();
+  GrowRows(descriptors.values, cells, dimension);
+  if (descriptors.values.rows() != had_rows) {
+    descriptors.values.setZero();
+  } else {
+    for (std::size_t i = 0; i < descriptors.neighbor_counts.size(); ++i)
+      if (descriptors.valid(i)) descriptors.values.row(static_cast<Eigen::Index>(i)).setZero();
+  }
+  descriptors.neighbor_counts.assign(static_cast<std::size_t>(cells), 0);
+}
+
 // A base was counted as its own neighbour: the line of length zero is at 90 degrees.
 void RemoveItself(const PairBinning& binning, std::uint32_t* counts) {
   std::uint32_t* const between = counts + PairCountIndex(0, 0, 0, binning.columns);
@@ -140,13 +154,9 @@ const IronDescriptors& IronDescriber::Describe(std::span<const NdtCell> cells,
                                                std::span<const std::uint8_t> wanted) {
   RequireSize("normals", normals.size(), cells.size());
   if (!wanted.empty()) RequireSize("wanted", wanted.size(), cells.size());
-  const auto rows = static_cast<Eigen::Index>(cells.size());
-  GrowRows(descriptors_.values, rows, config_.dimension());
-  descriptors_.neighbor_counts.assign(cells.size(), 0);
+  ClearDescriptors(static_cast<Eigen::Index>(cells.size()), config_.dimension(), descriptors_);
   SelectUsable(cells, normals, wanted);
   for (const CellTile& tile : tiles_.tiles()) DescribeTile(tile);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (!descriptors_.valid(i)) descriptors_.values.row(static_cast<Eigen::Index>(i)).setZero();
   return descriptors_;
 }
 
