@@ -6,7 +6,6 @@
 #include <string>
 
 #include "tools/common/tool.hpp"
-#include "tools/frames/frame_source.hpp"
 #include "tools/picture/frame_choice.hpp"
 #include "tools/picture/frame_film.hpp"
 #include "tools/picture/frame_picture.hpp"
@@ -17,7 +16,7 @@ namespace {
 
 int ExportFilm(const fallen::ViewOptions& options) {
   fallen::Detector detector = fallen::MakeDetector(options.detector);
-  const auto recording = fallen::OpenFrameSource(options.input, options.camera);
+  const auto recording = fallen::OpenInput(options);
   const std::int64_t frames =
       SaveFilm(options.export_file, *recording, detector, fallen::NameOf(options.input));
   std::cerr << "film of " << frames << " frames" << std::endl;
@@ -26,7 +25,7 @@ int ExportFilm(const fallen::ViewOptions& options) {
 
 int ExportPicture(const fallen::ViewOptions& options) {
   fallen::Detector detector = fallen::MakeDetector(options.detector);
-  const auto recording = fallen::OpenFrameSource(options.input, options.camera);
+  const auto recording = fallen::OpenInput(options);
   const fallen::ViewedFrame viewed = FindFrame(
       *recording, detector, fallen::ParseFrameChoice(options.frame), fallen::NameOf(options.input));
   SaveFramePicture(options.export_file, viewed);

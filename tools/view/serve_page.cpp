@@ -51,8 +51,8 @@ Work MakeReplay(Feed& feed, const ViewOptions& options) {
     const auto source = std::make_shared<RecordedSource>(feed, options.input, *camera, name);
     return [source](const std::atomic<bool>& is_stopping) { source->Run(is_stopping); };
   }
-  const auto source = std::make_shared<ReplaySource>(
-      feed, OpenFrameSource(options.input, options.camera), MakeDetector(options.detector), name);
+  const auto source = std::make_shared<ReplaySource>(feed, OpenInput(options),
+                                                     MakeDetector(options.detector), name);
   return [source](const std::atomic<bool>& is_stopping) { source->Run(is_stopping); };
 }
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "fallen/service/configuration.hpp"
 #include "tools/common/camera_option.hpp"
 #include "tools/picture/frame_choice.hpp"
 
@@ -20,6 +21,11 @@ std::string CheckFrameChoice(const std::string& text) {
 }
 
 }  // namespace
+
+std::unique_ptr<FrameSource> OpenInput(const ViewOptions& options) {
+  return OpenFrameSource(options.input, options.camera,
+                         LoadConfiguration(options.detector.config).capture.T_robot_camera());
+}
 
 std::string NameOf(const std::filesystem::path& input) {
   return (input.has_filename() ? input : input.parent_path()).filename().string();

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "tools/common/detector_setup.hpp"
+#include "tools/frames/frame_source.hpp"
 #include "tools/view/server/page_server.hpp"
 
 namespace fallen {
@@ -24,6 +26,11 @@ struct ViewOptions {
   std::filesystem::path token_file;
   PageServerOptions server;
 };
+
+/// Opens the recording to look at; an `.oni` file, which knows no mounting, with the configured
+/// one.
+/// @throws std::runtime_error as OpenFrameSource and LoadConfiguration.
+std::unique_ptr<FrameSource> OpenInput(const ViewOptions& options);
 
 /// Name of a recording for people: its last part.
 std::string NameOf(const std::filesystem::path& input);
