@@ -76,9 +76,9 @@ void DescribeLayer(const SurfaceCloud& cluster, const std::vector<int>& members,
     if (normal.isZero()) continue;
     ++normals;
     const Eigen::Vector2f horizontal = axes.Of(normal.head<2>()).cwiseAbs();
-    columns[Clamped(horizontal.x() * bins, bins)] += 1;
-    columns[bins + Clamped(horizontal.y() * bins, bins)] += 1;
-    columns[2 * bins + Clamped((normal.z() + 1) / 2 * bins, bins)] += 1;
+    columns[Clamped(horizontal.x() * static_cast<float>(bins), bins)] += 1;
+    columns[bins + Clamped(horizontal.y() * static_cast<float>(bins), bins)] += 1;
+    columns[2 * bins + Clamped((normal.z() + 1) / 2 * static_cast<float>(bins), bins)] += 1;
   }
   if (normals > 0) columns.head(3 * bins) /= static_cast<float>(normals);
   const auto all = static_cast<float>(cluster.points.size());
