@@ -8,40 +8,33 @@
 #include <string>
 #include <utility>
 
+#include "fallen/classification/cluster_candidates.hpp"
 #include "fallen/classification/cluster_features.hpp"
 #include "fallen/classification/hypothesis_selection.hpp"
-#include "fallen/classification/soft_threshold_encoding.hpp"
 
 namespace fallen {
 namespace {
 
 // Rows of the codebook are unit vectors to about float's precision.
 constexpr float kUnitTolerance = 1e-4F;
-// Least score that trees can give.
-constexpr double kNoFloor = -1;
+// Parts of one cluster that are nearer to each other are of the same person, arms stretched [m].
+constexpr double kPersonLength = 2.0;
 
 [[noreturn]] void Fail(const std::string& what) {
   throw std::invalid_argument("cluster_classification: " + what);
 }
 
-PersonHypothesis Judge(const SegmentedMap& segmented, const CellCluster& cluster,
+PersonHypothesis Judge(const SegmentedMap& segmented, const ClusterCandidate& candidate,
                        const ClusterModel& model, double min_probability) {
   PersonHypothesis hypothesis;
-  for (const std::int32_t index : cluster.cells) {
-    const ScoredCell& scored = segmented.cells[index];
-    hypothesis.centroid += scored.cell.mean.cast<double>();
-    hypothesis.mean_score += scored.score;
-  }
-  const auto cell_count = static_cast<double>(cluster.cells.size());
-  hypothesis.centroid /= cell_count;
-  hypothesis.mean_score /= cell_count;
-  hypothesis.cell_count = static_cast<std::int32_t>(cluster.cells.size());
-  hypothesis.box = FitUprightBox(segmented, cluster);
-
-  const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
-  hypothesis.mahalanobis_distance = model.gaussian.Distance(code);
-  hypothesis.probability = model.calibration.Probability(
-      ClusterEvidence(segmented, cluster, hypothesis.box, code, model));
+  for (const std::int32_t index : candidate.cluster.cells)
+    hypothesis.mean_score += segmented.cells[index].score;
+  hypothesis.mean_score /= static_cast<double>(candidate.cluster.cells.size());
+  hypothesis.cell_count = static_cast<std::int32_t>(candidate.cluster.cells.size());
+  hypothesis.centroid = candidate.centroid;
+  hypothesis.box = candidate.box;
+  hypothesis.mahalanobis_distance = candidate.mahalanobis_distance;
+  hypothesis.probability = model.calibration.Probability(ClusterEvidence(candidate, model));
   hypothesis.is_person = hypothesis.probability >= min_probability;
   return hypothesis;
 }
@@ -71,7 +64,7 @@ void ClusterModel::Validate() const {
   calibration.Validate();
   if (trees.roots.empty()) return;
   trees.Validate();
-  const auto expected = kClusterShapeFeatures + codebook.rows();
+  const int expected = ClusterFeatureCount(iron, codebook.rows());
   if (trees.feature_count != expected)
     Fail("the trees take " + std::to_string(trees.feature_count) + " features, must be " +
          std::to_string(expected));
@@ -83,16 +76,6 @@ void ClassificationConfig::Validate() const {
          ", must be >= 0 and finite");
   if (!(min_separation_m >= 0) || !std::isfinite(min_separation_m))
     Fail("min_separation_m is " + std::to_string(min_separation_m) + ", must be >= 0 and finite");
-}
-
-double ClusterEvidence(const SegmentedMap& segmented, const CellCluster& cluster,
-                       const OrientedBox& box, const Eigen::VectorXd& code,
-                       const ClusterModel& model) {
-  const double distance = model.gaussian.Distance(code);
-  if (model.trees.roots.empty()) return MahalanobisEvidence(distance);
-  if (!segmented.ground.ok()) return kNoFloor;
-  return PredictScores(model.trees,
-                       ComputeClusterFeatures(segmented, cluster, box, code, distance))[0];
 }
 
 Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
@@ -113,8 +96,19 @@ void ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
   decision.T_map_camera = segmented.T_map_camera;
   decision.view = segmented.view;
   decision.min_probability = model.calibration.MinProbability(config.false_positives_per_frame);
-  for (const CellCluster& cluster : segmented.clusters)
-    decision.hypotheses.push_back(Judge(segmented, cluster, model, decision.min_probability));
+  std::vector<PersonHypothesis> of_one_cluster;
+  std::int32_t whole = 0;
+  const auto take_best = [&] {
+    for (PersonHypothesis& best : BestOfEachPlace(std::move(of_one_cluster), kPersonLength))
+      decision.hypotheses.push_back(std::move(best));
+    of_one_cluster.clear();
+  };
+  for (const ClusterCandidate& candidate : FindCandidates(segmented, model)) {
+    if (candidate.whole != whole) take_best();
+    whole = candidate.whole;
+    of_one_cluster.push_back(Judge(segmented, candidate, model, decision.min_probability));
+  }
+  take_best();
   decision.hypotheses = BestOfEachPlace(std::move(decision.hypotheses), config.min_separation_m);
 }
 

@@ -67,16 +67,8 @@ struct Decision {
   bool operator==(const Decision& other) const;
 };
 
-/// How much a cluster looks like a fallen person, as ClusterModel::calibration takes it: the score
-/// of the model's trees, [-1, 1], or MahalanobisEvidence from a model without. A model with trees
-/// gives -1 where no floor is known: nothing can be said to lie on it.
-/// @param code  EncodeCluster of the cluster with the model's codebook.
-/// @param box   FitUprightBox of the cluster.
-double ClusterEvidence(const SegmentedMap& segmented, const CellCluster& cluster,
-                       const OrientedBox& box, const Eigen::VectorXd& code,
-                       const ClusterModel& model);
-
-/// Judges every cluster (the paper, Sec. III-E and III-F).
+/// Judges every cluster (the paper, Sec. III-E and III-F), by trees its parts too. Of one cluster's
+/// parts within 2 m of each other the likeliest is kept, as of clusters within min_separation_m.
 /// @throws std::invalid_argument if the descriptors are of another kind than the model's, or the
 /// calibration has no operating points.
 /// Deterministic. Thread-safe.

@@ -4,33 +4,24 @@
 
 #include <atomic>
 
+#include "fallen/classification/cluster_candidates.hpp"
 #include "fallen/classification/cluster_features.hpp"
-#include "fallen/classification/soft_threshold_encoding.hpp"
 #include "fallen/segmentation/parallel_for.hpp"
 
 namespace fallen {
 namespace {
 
-Eigen::Vector3d CentroidOf(const SegmentedMap& segmented, const CellCluster& cluster) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const std::int32_t i : cluster.cells) sum += segmented.cells[i].cell.mean.cast<double>();
-  return sum / static_cast<double>(cluster.cells.size());
-}
-
 ClusterSamples SampleFrame(const ObservedFrame& frame, const CellModel& cells,
                            const ClusterModel& model, const TrainingConfig& config) {
   ClusterSamples samples;
   const SegmentedMap segmented = SegmentObserved(frame, cells, config);
-  samples.features.resize(0, kClusterShapeFeatures + model.codebook.rows());
+  samples.features.resize(0, ClusterFeatureCount(model.iron, model.codebook.rows()));
   if (!segmented.ground.ok()) return samples;
-  samples.features.resize(static_cast<Eigen::Index>(segmented.clusters.size()), Eigen::NoChange);
-  for (const CellCluster& cluster : segmented.clusters) {
-    const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
-    samples.features.row(static_cast<Eigen::Index>(samples.labels.size())) =
-        ComputeClusterFeatures(segmented, cluster, FitUprightBox(segmented, cluster), code,
-                               model.gaussian.Distance(code));
-    const bool is_person =
-        frame.person_box && frame.person_box->Contains(CentroidOf(segmented, cluster));
+  const std::vector<ClusterCandidate> candidates = ClustersAndParts(segmented, model);
+  samples.features.resize(static_cast<Eigen::Index>(candidates.size()), Eigen::NoChange);
+  for (const ClusterCandidate& candidate : candidates) {
+    samples.features.row(static_cast<Eigen::Index>(samples.labels.size())) = candidate.features;
+    const bool is_person = frame.person_box && frame.person_box->Contains(candidate.centroid);
     samples.labels.push_back(is_person ? 1 : -1);
   }
   return samples;

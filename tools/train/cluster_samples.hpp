@@ -25,9 +25,9 @@ struct ClusterSamples {
 /// All rows of the parts, in order; features of equally many columns.
 ClusterSamples JoinSamples(std::span<const ClusterSamples> parts);
 
-/// Features of all clusters that `cells` makes of the frames.
+/// Features of all clusters that `cells` makes of the frames, and of their parts.
 ///
-/// A cluster is a fallen person's if its centroid lies in the labelled box: what the evaluation
+/// One is a fallen person's if its centroid lies in the labelled box: what the evaluation
 /// counts as found (the paper, Sec. IV-B). Frames without a floor give none.
 /// @param model  Codebook and Gaussian.
 ClusterSamples CollectClusterSamples(std::span<const ObservedFrame* const> frames,

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "fallen/classification/cluster_candidates.hpp"
 #include "fallen/classification/soft_threshold_encoding.hpp"
 #include "fallen/evaluation/frame_outcome.hpp"
 #include "fallen/segmentation/parallel_for.hpp"
@@ -103,11 +104,9 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
   ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
     Judged& frame = judged[i];
     frame.segmented = SegmentObserved(*frames[i], cells, config);
-    for (const CellCluster& cluster : frame.segmented.clusters) {
-      const Eigen::VectorXd code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
-      frame.evidence.push_back(ClusterEvidence(
-          frame.segmented, cluster, FitUprightBox(frame.segmented, cluster), code, model));
-      frame.is_person.push_back(IsPerson(frame.segmented, cluster, frames[i]->person_box,
+    for (const ClusterCandidate& candidate : FindCandidates(frame.segmented, model)) {
+      frame.evidence.push_back(ClusterEvidence(candidate, model));
+      frame.is_person.push_back(IsPerson(frame.segmented, candidate.cluster, frames[i]->person_box,
                                          config.sampling.min_person_share));
     }
     progress("calibration", static_cast<double>(++done) / static_cast<double>(frames.size()));

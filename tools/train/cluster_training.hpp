@@ -39,7 +39,8 @@ struct CalibrationResult {
   std::int64_t other_clusters = 0;
 };
 
-/// Fits p(fallen | evidence) to the clusters of the validation frames, and measures the operating points.
+/// Fits p(fallen | evidence) to the clusters of the validation frames, and measures the operating
+/// points.
 /// @throws std::runtime_error if the segmentation finds no person there, or nothing but persons.
 CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames,
                                     const CellModel& cells, const ClusterModel& model,

@@ -70,8 +70,7 @@ TEST(ClassifyClusters, JudgesEveryClusterBestFirst) {
     const double distance =
         model.gaussian.Distance(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));
     EXPECT_EQ(hypothesis.mahalanobis_distance, distance);
-    EXPECT_EQ(hypothesis.probability,
-              model.calibration.Probability(MahalanobisEvidence(distance)));
+    EXPECT_EQ(hypothesis.probability, model.calibration.Probability(MahalanobisEvidence(distance)));
     EXPECT_EQ(hypothesis.is_person, hypothesis.probability >= 0.6);
     EXPECT_NEAR(hypothesis.centroid.y(), 0.05 * 3.5, 1e-6);
     EXPECT_NEAR(hypothesis.mean_score, 0.375, 1e-12);
@@ -106,17 +105,16 @@ TEST(ClassifyClusters, KeepsOnlyTheBestOfClustersThatLieTogether) {
     return (a.centroid - b.centroid).norm();
   };
   for (const PersonHypothesis& a : apart.hypotheses)
-    for (const PersonHypothesis& b : apart.hypotheses)
-      EXPECT_TRUE(a == b || distance(a, b) >= 1.2);
+    for (const PersonHypothesis& b : apart.hypotheses) EXPECT_TRUE(a == b || distance(a, b) >= 1.2);
   EXPECT_LT(apart.hypotheses.size(), 3U);
 }
 
 // A model whose trees say that clusters higher than 0.15 m are persons.
 ClusterModel ModelWithTrees() {
   ClusterModel model = SmallModel();
-  model.trees.feature_count = kClusterShapeFeatures + 6;
+  model.trees.feature_count = ClusterFeatureCount(model.iron, 6);
   model.trees.roots = {0};
-  model.trees.nodes = {{7, 0.15F, 1, 0}, {-1, 0, 0, -1}, {-1, 0, 0, 1}};
+  model.trees.nodes = {{4, 0.15F, 1, 0}, {-1, 0, 0, -1}, {-1, 0, 0, 1}};
   return model;
 }
 
@@ -132,6 +130,31 @@ TEST(ClassifyClusters, LetsTheTreesDecideWhereThereAreSome) {
   EXPECT_NEAR(decision.hypotheses[0].centroid.x(), 0, 1e-6);
   EXPECT_EQ(decision.hypotheses[0].probability, model.calibration.Probability(1));
   EXPECT_EQ(decision.hypotheses[1].probability, model.calibration.Probability(-1));
+}
+
+TEST(ClassifyClusters, JudgesPartsToo) {
+  ClusterModel model = ModelWithTrees();
+  // Shorter than 2.5 m is a person.
+  model.trees.nodes = {{21, 2.5F, 1, 0}, {-1, 0, 0, 1}, {-1, 0, 0, -1}};
+  SegmentedMap map = MapOf(1, 100);  // 5 m long
+  map.ground.status = GroundStatus::kOk;
+  map.ground.plane = {Eigen::Vector3d::UnitZ(), 0};
+  const Decision decision = ClassifyClusters(map, model);
+  ASSERT_FALSE(decision.hypotheses.empty());
+  EXPECT_EQ(decision.hypotheses[0].probability, model.calibration.Probability(1));
+  EXPECT_LT(decision.hypotheses[0].box.size.x(), 2.6);
+  EXPECT_EQ(decision.hypotheses[0].cell_count, 50);
+
+  EXPECT_EQ(decision.hypotheses.size(), 2U);  // 2.5 m apart: two persons
+
+  for (ScoredCell& scored : map.cells) scored.cell.mean.y() *= 0.6F;
+  const Decision of_one = ClassifyClusters(map, model);  // upper body and legs, 1.5 m apart
+  ASSERT_EQ(of_one.hypotheses.size(), 1U);
+  EXPECT_EQ(of_one.hypotheses[0].cell_count, 50);
+
+  model.trees = {};  // the paper judges whole clusters
+  ASSERT_EQ(ClassifyClusters(map, model).hypotheses.size(), 1U);
+  EXPECT_EQ(ClassifyClusters(map, model).hypotheses[0].cell_count, 100);
 }
 
 TEST(ClassifyClusters, FindsNobodyByTreesWithoutAFloor) {

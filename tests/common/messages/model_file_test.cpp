@@ -53,7 +53,7 @@ Model SampleModel() {
   Eigen::MatrixXd covariance = root * root.transpose() + Eigen::MatrixXd::Identity(kUnits, kUnits);
   covariance = (covariance + covariance.transpose()).eval() / 2;
   model.clusters.gaussian = MahalanobisModel(mean, covariance);
-  model.clusters.trees.feature_count = kClusterShapeFeatures + kUnits;
+  model.clusters.trees.feature_count = ClusterFeatureCount(model.clusters.iron, kUnits);
   model.clusters.trees.roots = {0};
   model.clusters.trees.nodes = {{kClusterShapeFeatures + 1, 0.25F, 1, 0}, {-1, 0, 0, -0.5F},
                                 {-1, 0, 0, 0.75F}};
@@ -113,7 +113,7 @@ TEST(ModelConversion, RefusesEachBadField) {
       {"covariance", [](auto& m) { m.gaussian_covariance[2][1] += 1; }},
       {"covariance", [](auto& m) { m.gaussian_covariance[2][2] = -1; }},
       {"cluster_trees.tree_count", [](auto& m) { m.cluster_trees.tree_count = 2; }},
-      {"features", [](auto& m) { m.cluster_trees.feature_count = 90; }},
+      {"features", [](auto& m) { m.cluster_trees.feature_count = 900; }},
       {"boosted_trees", [](auto& m) { m.cluster_trees.root[0] = 9; }},
       {"slope", [](auto& m) { m.calibration_slope = -1; }},
       {"intercept", [=](auto& m) { m.calibration_intercept = kNan; }},

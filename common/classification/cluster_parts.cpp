@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fallen/classification/cluster_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "fallen/segmentation/dbscan.hpp"
+
+namespace fallen {
+namespace {
+
+constexpr std::size_t kMinCells = 40;
+constexpr double kMaxShare = 0.95;
+constexpr float kScoreShares[] = {1.0F / 3, 2.0F / 3};
+constexpr double kHighQuantile = 0.95;
+constexpr double kEpsilonInCells = 2;  // DBSCAN's radius, in cells
+constexpr int kMinPoints = 6;
+constexpr double kPersonLength = 2.0;   // [m]
+constexpr double kPersonWidth = 1.1;    // [m], arms and legs apart
+constexpr double kMinDeviation = 0.25;  // [m], of members that are worth a cut
+constexpr int kCuts = 2;                // one after the other: halves, quarters
+constexpr int kMeansSteps = 15;
+
+using Members = std::vector<std::int32_t>;  // positions in the cluster
+using Centers = std::array<Eigen::Vector2d, 2>;
+
+CellCluster Take(const CellCluster& cluster, const Members& members) {
+  CellCluster part;
+  part.cells.reserve(members.size());
+  part.descriptors.resize(static_cast<Eigen::Index>(members.size()), cluster.descriptors.cols());
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    part.cells.push_back(cluster.cells[members[k]]);
+    part.descriptors.row(static_cast<Eigen::Index>(k)) = cluster.descriptors.row(members[k]);
+  }
+  return part;
+}
+
+class PartFinder {
+ public:
+  PartFinder(const SegmentedMap& segmented, const CellCluster& cluster)
+      : segmented_(segmented), cluster_(cluster) {}
+
+  void CutByScore() {
+    std::vector<float> scores;
+    for (std::size_t k = 0; k < cluster_.cells.size(); ++k) scores.push_back(Member(k).score);
+    const auto high = scores.begin() + static_cast<std::ptrdiff_t>(
+                                           kHighQuantile * static_cast<double>(scores.size() - 1));
+    std::nth_element(scores.begin(), high, scores.end());
+    for (const float share : kScoreShares) TakeScoresFrom(*high * share);
+  }
+
+  void CutByPlace() {
+    Members all(cluster_.cells.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
+    Halve(all, kCuts);
+  }
+
+  std::vector<CellCluster> parts;
+
+ private:
+  const ScoredCell& Member(std::size_t k) const { return segmented_.cells[cluster_.cells[k]]; }
+  Eigen::Vector2d Place(std::size_t k) const {
+    return Member(k).cell.mean.head<2>().cast<double>();
+  }
+
+  void Add(const Members& members) {
+    const auto most = kMaxShare * static_cast<double>(cluster_.cells.size());
+    if (members.size() < kMinCells || static_cast<double>(members.size()) > most) return;
+    parts.push_back(Take(cluster_, members));
+  }
+
+  void TakeScoresFrom(float min_score) {
+    Members members;
+    std::vector<Eigen::Vector3f> points;
+    for (std::size_t k = 0; k < cluster_.cells.size(); ++k) {
+      if (Member(k).score < min_score) continue;
+      members.push_back(static_cast<std::int32_t>(k));
+      points.push_back(Member(k).cell.mean);
+    }
+    const auto epsilon_m = static_cast<float>(kEpsilonInCells * segmented_.cell_size_m);
+    const std::vector<std::int32_t> labels = Dbscan(points, epsilon_m, kMinPoints);
+    std::vector<Members> groups;
+    for (std::size_t p = 0; p < labels.size(); ++p) {
+      if (labels[p] == kNoise) continue;
+      groups.resize(std::max(groups.size(), static_cast<std::size_t>(labels[p]) + 1));
+      groups[labels[p]].push_back(members[p]);
+    }
+    for (const Members& group : groups) Add(group);
+  }
+
+  void Halve(const Members& members, int cuts) {
+    if (cuts == 0 || members.size() < 2 * kMinCells) return;
+    const std::optional<Centers> start = OneDeviationApart(members);
+    if (!start) return;
+    for (const Members& half : TwoMeans(members, *start)) {
+      Add(half);
+      Halve(half, cuts - 1);
+    }
+  }
+
+  // One standard deviation to each side of the mean along the main axis, if that is far enough.
+  std::optional<Centers> OneDeviationApart(const Members& members) const {
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const std::int32_t k : members) mean += Place(k);
+    const auto count = static_cast<double>(members.size());
+    mean /= count;
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const std::int32_t k : members)
+      spread += (Place(k) - mean) * (Place(k) - mean).transpose() / count;
+    const double half_difference = (spread(0, 0) - spread(1, 1)) / 2;
+    const double deviation =
+        std::sqrt(spread.trace() / 2 + std::hypot(half_difference, spread(0, 1)));
+    if (!(deviation >= kMinDeviation)) return std::nullopt;
+    const double angle = std::atan2(spread(0, 1), half_difference) / 2;
+    const Eigen::Vector2d step = deviation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    return Centers{mean + step, mean - step};
+  }
+
+  std::array<Members, 2> TwoMeans(const Members& members, Centers centers) const {
+    std::array<Members, 2> halves;
+    for (int i = 0; i < kMeansSteps; ++i) {
+      Centers sums = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+      for (Members& half : halves) half.clear();
+      for (const std::int32_t k : members) {
+        const Eigen::Vector2d place = Place(k);
+        const int nearer = (place - centers[0]).squaredNorm() >= (place - centers[1]).squaredNorm();
+        halves[nearer].push_back(k);
+        sums[nearer] += place;
+      }
+      for (int h = 0; h < 2; ++h)
+        if (!halves[h].empty()) centers[h] = sums[h] / static_cast<double>(halves[h].size());
+    }
+    return halves;
+  }
+
+  const SegmentedMap& segmented_;
+  const CellCluster& cluster_;
+};
+
+}  // namespace
+
+std::vector<CellCluster> FindClusterParts(const SegmentedMap& segmented, const CellCluster& cluster,
+                                          const OrientedBox& box) {
+  if (cluster.cells.size() < kMinCells) return {};
+  PartFinder finder(segmented, cluster);
+  finder.CutByScore();
+  if (box.size.x() > kPersonLength || box.size.y() > kPersonWidth) finder.CutByPlace();
+  return std::move(finder.parts);
+}
+
+}  // namespace fallen

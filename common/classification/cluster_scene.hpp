@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "fallen/iron/iron_descriptor.hpp"
+#include "fallen/segmentation/cell_segmentation.hpp"
+
+namespace fallen {
+
+/// A segmented map and what all of its clusters' features need of each cell, computed once.
+///
+/// Refers to the map, which must outlive it.
+struct ClusterScene {
+  /// @throws std::invalid_argument for a map without a floor.
+  explicit ClusterScene(const SegmentedMap& segmented);
+
+  const SegmentedMap& segmented;
+  std::vector<float> heights_m;     ///< of the cells' means above the floor
+  std::vector<CellNormal> normals;  ///< of the cells
+};
+
+}  // namespace fallen
