@@ -114,7 +114,9 @@ TEST(SumRowRuns, GivesThePlainSumsAndTheSameBitsAtEveryLevel) {
   for (const int count : {0, 1, 7, 8, 9, 32, kMostPixels}) {
     const Row row(count, 1);
     const std::vector<FoundRun> expected = PlainRunsOf(row);
-    if (count == kMostPixels) ASSERT_GT(expected.size(), 40u) << "runs are to be short";
+    if (count == kMostPixels) {
+      ASSERT_GT(expected.size(), 40u) << "runs are to be short";
+    }
     std::vector<FoundRun> portable;
     test::AtEverySimdLevel([&](SimdLevel level) {
       const std::vector<FoundRun> runs = RunsOf(row);
