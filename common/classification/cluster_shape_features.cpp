@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
+#include <vector>
 
 #include "fallen/classification/cluster_feature_blocks.hpp"
 
@@ -47,10 +47,13 @@ void AddHeights(const PlacedCluster& cluster, FeatureRow& row) {
 
 // What the members cover on the floor [m^2].
 double FootprintArea(const PlacedCluster& cluster) {
-  std::set<std::pair<int, int>> footprint;
+  std::vector<std::pair<int, int>> footprint;
+  footprint.reserve(cluster.cells.size());
   for (const PlacedCell& cell : cluster.cells)
-    footprint.emplace(static_cast<int>(std::floor(cell.along / kFootprintRaster)),
-                      static_cast<int>(std::floor(cell.across / kFootprintRaster)));
+    footprint.emplace_back(static_cast<int>(std::floor(cell.along / kFootprintRaster)),
+                           static_cast<int>(std::floor(cell.across / kFootprintRaster)));
+  std::sort(footprint.begin(), footprint.end());
+  footprint.erase(std::unique(footprint.begin(), footprint.end()), footprint.end());
   return static_cast<double>(footprint.size()) * kFootprintRaster * kFootprintRaster;
 }
 
