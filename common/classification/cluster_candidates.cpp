@@ -65,10 +65,21 @@ std::vector<ClusterCandidate> FindCandidates(const SegmentedMap& segmented,
                                    : ClustersAndParts(segmented, model);
 }
 
-double ClusterEvidence(const ClusterCandidate& candidate, const ClusterModel& model) {
-  if (model.trees.roots.empty()) return MahalanobisEvidence(candidate.mahalanobis_distance);
-  if (candidate.features.size() == 0) return kNoFloor;
-  return PredictScores(model.trees, candidate.features)[0];
+std::vector<double> ClusterEvidence(std::span<const ClusterCandidate> candidates,
+                                    const ClusterModel& model) {
+  std::vector<double> evidence(candidates.size(), kNoFloor);
+  if (model.trees.roots.empty()) {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      evidence[i] = MahalanobisEvidence(candidates[i].mahalanobis_distance);
+    return evidence;
+  }
+  if (candidates.empty() || candidates[0].features.size() == 0) return evidence;
+  FeatureMatrix features(static_cast<Eigen::Index>(candidates.size()),
+                         candidates[0].features.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    features.row(static_cast<Eigen::Index>(i)) = candidates[i].features;
+  const std::vector<float> scores = PredictScores(model.trees, features);
+  return {scores.begin(), scores.end()};
 }
 
 }  // namespace fallen

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fallen/classification/cluster_classification.hpp"
@@ -35,10 +37,10 @@ std::vector<ClusterCandidate> ClustersAndParts(const SegmentedMap& segmented,
 std::vector<ClusterCandidate> FindCandidates(const SegmentedMap& segmented,
                                              const ClusterModel& model);
 
-/// How much a candidate looks like a fallen person, as ClusterModel::calibration takes it: the
+/// How much each candidate looks like a fallen person, as ClusterModel::calibration takes it: the
 /// score of the model's trees, [-1, 1], or MahalanobisEvidence from a model without. A model with
-/// trees gives -1 to a candidate without features: without a floor nothing can be said to lie on
-/// it.
-double ClusterEvidence(const ClusterCandidate& candidate, const ClusterModel& model);
+/// trees gives -1 to candidates without features: without a floor nothing can be said to lie on it.
+std::vector<double> ClusterEvidence(std::span<const ClusterCandidate> candidates,
+                                    const ClusterModel& model);
 
 }  // namespace fallen

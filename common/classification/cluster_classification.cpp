@@ -24,8 +24,8 @@ constexpr double kPersonLength = 2.0;
   throw std::invalid_argument("cluster_classification: " + what);
 }
 
-PersonHypothesis Judge(const SegmentedMap& segmented, const ClusterCandidate& candidate,
-                       const ClusterModel& model, double min_probability) {
+PersonHypothesis MakeHypothesis(const SegmentedMap& segmented, const ClusterCandidate& candidate,
+                                double probability, double min_probability) {
   PersonHypothesis hypothesis;
   for (const std::int32_t index : candidate.cluster.cells)
     hypothesis.mean_score += segmented.cells[index].score;
@@ -34,7 +34,7 @@ PersonHypothesis Judge(const SegmentedMap& segmented, const ClusterCandidate& ca
   hypothesis.centroid = candidate.centroid;
   hypothesis.box = candidate.box;
   hypothesis.mahalanobis_distance = candidate.mahalanobis_distance;
-  hypothesis.probability = model.calibration.Probability(ClusterEvidence(candidate, model));
+  hypothesis.probability = probability;
   hypothesis.is_person = hypothesis.probability >= min_probability;
   return hypothesis;
 }
@@ -103,10 +103,14 @@ void ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
       decision.hypotheses.push_back(std::move(best));
     of_one_cluster.clear();
   };
-  for (const ClusterCandidate& candidate : FindCandidates(segmented, model)) {
-    if (candidate.whole != whole) take_best();
-    whole = candidate.whole;
-    of_one_cluster.push_back(Judge(segmented, candidate, model, decision.min_probability));
+  const std::vector<ClusterCandidate> candidates = FindCandidates(segmented, model);
+  const std::vector<double> evidence = ClusterEvidence(candidates, model);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].whole != whole) take_best();
+    whole = candidates[i].whole;
+    of_one_cluster.push_back(MakeHypothesis(segmented, candidates[i],
+                                            model.calibration.Probability(evidence[i]),
+                                            decision.min_probability));
   }
   take_best();
   decision.hypotheses = BestOfEachPlace(std::move(decision.hypotheses), config.min_separation_m);

@@ -8,15 +8,18 @@ namespace fallen {
 
 ClusterScene::ClusterScene(const SegmentedMap& map) : segmented(map) {
   if (!map.ground.ok()) throw std::invalid_argument("cluster_features: the map has no floor");
-  std::vector<NdtCell> cells;
-  cells.reserve(map.cells.size());
+  std::vector<NdtCell> members;
   heights_m.reserve(map.cells.size());
   for (const ScoredCell& scored : map.cells) {
-    cells.push_back(scored.cell);
+    if (scored.cluster >= 0) members.push_back(scored.cell);
     heights_m.push_back(
         static_cast<float>(map.ground.plane.SignedHeight(scored.cell.mean.cast<double>())));
   }
-  normals = ComputeNormals(cells, map.iron);
+  const std::vector<CellNormal> of_members = ComputeNormals(members, map.iron);
+  normals.resize(map.cells.size());
+  auto next = of_members.begin();
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (map.cells[i].cluster >= 0) normals[i] = *next++;
 }
 
 }  // namespace fallen

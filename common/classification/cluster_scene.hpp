@@ -18,7 +18,7 @@ struct ClusterScene {
 
   const SegmentedMap& segmented;
   std::vector<float> heights_m;     ///< of the cells' means above the floor
-  std::vector<CellNormal> normals;  ///< of the cells
+  std::vector<CellNormal> normals;  ///< of the cells that belong to a cluster
 };
 
 }  // namespace fallen

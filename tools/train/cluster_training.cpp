@@ -104,11 +104,11 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
   ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
     Judged& frame = judged[i];
     frame.segmented = SegmentObserved(*frames[i], cells, config);
-    for (const ClusterCandidate& candidate : FindCandidates(frame.segmented, model)) {
-      frame.evidence.push_back(ClusterEvidence(candidate, model));
+    const std::vector<ClusterCandidate> candidates = FindCandidates(frame.segmented, model);
+    frame.evidence = ClusterEvidence(candidates, model);
+    for (const ClusterCandidate& candidate : candidates)
       frame.is_person.push_back(IsPerson(frame.segmented, candidate.cluster, frames[i]->person_box,
                                          config.sampling.min_person_share));
-    }
     progress("calibration", static_cast<double>(++done) / static_cast<double>(frames.size()));
   });
 

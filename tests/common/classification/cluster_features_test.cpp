@@ -19,6 +19,7 @@ void AddCell(SegmentedMap& map, const Eigen::Vector3f& mean, bool is_member, flo
   scored.cell.mean = mean;
   scored.cell.covariance = {4e-4F, 0, 0, 2e-4F, 0, 1e-5F};  // a level patch
   scored.score = score;
+  scored.cluster = is_member ? 0 : -1;
   if (is_member) map.clusters[0].cells.push_back(static_cast<std::int32_t>(map.cells.size()));
   map.cells.push_back(scored);
 }
