@@ -10,6 +10,7 @@
 
 #include "fallen/classification/cluster_candidates.hpp"
 #include "fallen/classification/cluster_features.hpp"
+#include "fallen/classification/cluster_parts.hpp"
 #include "fallen/classification/hypothesis_selection.hpp"
 
 namespace fallen {
@@ -17,8 +18,6 @@ namespace {
 
 // Rows of the codebook are unit vectors to about float's precision.
 constexpr float kUnitTolerance = 1e-4F;
-// Parts of one cluster that are nearer to each other are of the same person, arms stretched [m].
-constexpr double kPersonLength = 2.0;
 
 [[noreturn]] void Fail(const std::string& what) {
   throw std::invalid_argument("cluster_classification: " + what);
@@ -99,7 +98,8 @@ void ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
   std::vector<PersonHypothesis> of_one_cluster;
   std::int32_t whole = 0;
   const auto take_best = [&] {
-    for (PersonHypothesis& best : BestOfEachPlace(std::move(of_one_cluster), kPersonLength))
+    // Parts of one cluster that are nearer to each other are of the same person.
+    for (PersonHypothesis& best : BestOfEachPlace(std::move(of_one_cluster), kPersonLength_m))
       decision.hypotheses.push_back(std::move(best));
     of_one_cluster.clear();
   };

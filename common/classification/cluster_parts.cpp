@@ -19,7 +19,6 @@ constexpr float kScoreShares[] = {1.0F / 3, 2.0F / 3};
 constexpr double kHighQuantile = 0.95;
 constexpr double kEpsilonInCells = 2;  // DBSCAN's radius, in cells
 constexpr int kMinPoints = 6;
-constexpr double kPersonLength = 2.0;   // [m]
 constexpr double kPersonWidth = 1.1;    // [m], arms and legs apart
 constexpr double kMinDeviation = 0.25;  // [m], of members that are worth a cut
 constexpr int kCuts = 2;                // one after the other: halves, quarters
@@ -148,7 +147,7 @@ std::vector<CellCluster> FindClusterParts(const SegmentedMap& segmented, const C
   if (cluster.cells.size() < kMinCells) return {};
   PartFinder finder(segmented, cluster);
   finder.CutByScore();
-  if (box.size.x() > kPersonLength || box.size.y() > kPersonWidth) finder.CutByPlace();
+  if (box.size.x() > kPersonLength_m || box.size.y() > kPersonWidth) finder.CutByPlace();
   return std::move(finder.parts);
 }
 

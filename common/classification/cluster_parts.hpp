@@ -9,6 +9,9 @@
 
 namespace fallen {
 
+/// About the length of a tall person, arms not stretched [m].
+inline constexpr double kPersonLength_m = 2.0;
+
 /// Parts of a cluster that may be a person alone, where the whole is a person joined with the dog
 /// beside him or the sofa that he lies against.
 ///
