@@ -276,6 +276,12 @@ SettledPose DrawSettledPose(const BodyRig& rig, PoseFamily family, Random& rando
     }
     if (badness <= 1) break;
   }
+  // Where no try was good, the flesh gives way no more for it: the body is lifted instead.
+  if (const double lift = best.sink_m - kMaxSink; lift > 0) {
+    best.pose.position.z() += lift;
+    best.sink_m = kMaxSink;
+    best.float_m += lift;
+  }
   return best;
 }
 

@@ -29,7 +29,8 @@ SettledPose SettleOnFloor(const BodyRig& rig, const DrawnPose& drawn);
 inline constexpr double kMaxSink = 0.02;
 inline constexpr double kMaxFloat = 0.03;
 
-/// Draws and settles until the result is good, and gives the best of the tries.
+/// Draws and settles until the result is good, and gives the best of the tries; none sinks in by
+/// more than kMaxSink.
 SettledPose DrawSettledPose(const BodyRig& rig, PoseFamily family, Random& random);
 
 }  // namespace fallen::sim

@@ -32,13 +32,13 @@ TEST_F(SettlingTest, NobodyFloatsAndNobodySinksIn) {
       const std::vector<double> heights = SkinHeights(assets().humans, body, settled.pose);
       const double lowest = *std::min_element(heights.begin(), heights.end());
       EXPECT_NEAR(settled.sink_m, -lowest, 1e-6) << name;
-      EXPECT_LE(-lowest, kMaxSink + 0.003) << name;
+      EXPECT_LE(-lowest, kMaxSink + 1e-6) << name;
       // A body lies low: its skin's median is nearer to the floor than a bent knee.
       std::vector<double> sorted = heights;
       std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2),
                        sorted.end());
       EXPECT_LT(sorted[sorted.size() / 2], 0.25) << name;
-      bad += settled.float_m > kMaxFloat || settled.sink_m > kMaxSink;
+      bad += settled.float_m > kMaxFloat;
       ++poses;
     }
   }
