@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "fallen/iron/cells_near_box.hpp"
+
 namespace fallen {
 namespace {
 
@@ -41,6 +43,13 @@ std::uint32_t CurveKey(const Eigen::Array3f& steps) {
 void CellTiles::Build(std::span<const Eigen::Vector3f> points,
                       std::span<const std::uint8_t> is_base, float radius_m) {
   grid_.Build(points, radius_m / kBucketsPerRadius);
+  for (auto* column : {&x_, &y_, &z_}) column->resize(points.size() + kMostLanes);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector3f& point = grid_.sorted_points()[k];
+    x_[k] = point.x();
+    y_[k] = point.y();
+    z_[k] = point.z();
+  }
   SortBases(is_base, radius_m / kStepsPerRadius);
   CutTiles(radius_m * kMaxExtentPerRadius);
 }
@@ -92,11 +101,18 @@ void CellTiles::CutTiles(float max_extent_m) {
   }
 }
 
-void CellTiles::FindRuns(const CellTile& tile, float radius_m, std::vector<CellRun>& runs) const {
-  runs.clear();
+std::span<const std::int32_t> CellTiles::FindNear(const CellTile& tile, float radius_m) {
+  runs_.clear();
   grid_.ForEachRunNearBox(tile.low, tile.high, radius_m, [&](std::int32_t begin, std::int32_t end) {
-    runs.push_back({begin, end});
+    runs_.push_back({begin, end});
   });
+  near_.resize(grid_.size() + kMostLanes);
+  const BoxSurroundings box = {{tile.low.x(), tile.low.y(), tile.low.z()},
+                               {tile.high.x(), tile.high.y(), tile.high.z()},
+                               radius_m * radius_m};
+  const int count = FindNearBox({x_.data(), y_.data(), z_.data()}, runs_.data(),
+                                static_cast<int>(runs_.size()), box, near_.data());
+  return std::span(near_).first(count);
 }
 
 }  // namespace fallen

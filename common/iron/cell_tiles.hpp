@@ -40,18 +40,22 @@ class CellTiles {
     return std::span(bases_).subspan(tile.begin, tile.end - tile.begin);
   }
 
-  /// Writes the runs that hold every cell within `radius_m` of the tile's bases. Each base meets
-  /// its neighbours in an order that depends on the points and `radius_m` alone.
-  void FindRuns(const CellTile& tile, float radius_m, std::vector<CellRun>& runs) const;
+  /// Finds every cell within `radius_m` of the tile's bases, and some others near the tile. Each
+  /// base meets its neighbours in an order that depends on the points and `radius_m` alone.
+  /// @return  Positions in the grid; they hold until the next call.
+  std::span<const std::int32_t> FindNear(const CellTile& tile, float radius_m);
 
  private:
   void SortBases(std::span<const std::uint8_t> is_base, float step_m);
   void CutTiles(float max_extent_m);
 
   NeighborGrid grid_;
+  std::vector<float> x_, y_, z_;  // of the sorted points, and room to read on
   std::vector<std::int32_t> bases_, sorted_bases_;
   std::vector<std::uint32_t> keys_, sorted_keys_;
   std::vector<CellTile> tiles_;
+  std::vector<CellRun> runs_;       // of FindNear
+  std::vector<std::int32_t> near_;  // likewise
 };
 
 }  // namespace fallen

@@ -118,7 +118,8 @@ void IronDescriber::SelectUsable(std::span<const NdtCell> cells,
 }
 
 void IronDescriber::DescribeTile(const CellTile& tile) {
-  tiles_.FindRuns(tile, static_cast<float>(config_.radius_m), runs_);
+  const std::span<const std::int32_t> near =
+      tiles_.FindNear(tile, static_cast<float>(config_.radius_m));
   const std::span<const std::int32_t> bases = tiles_.bases_of(tile);
   BaseLanes lanes;
   lanes.normal_x = lanes.normal_y = lanes.normal_z = {};
@@ -135,7 +136,7 @@ void IronDescriber::DescribeTile(const CellTile& tile) {
     lanes.normal_z[lane] = PairBinning::kNormalScale * cell.normal_z;
   }
   std::fill(counts_.begin(), counts_.end(), 0u);
-  CountPairs(lanes, pair_cells_.data(), runs_.data(), static_cast<int>(runs_.size()), binning_,
+  CountPairs(lanes, pair_cells_.data(), near.data(), static_cast<int>(near.size()), binning_,
              tables_, counts_.data());
   RemoveItself(binning_, counts_.data());
   const auto neighbors = Normalize(binning_, config_.min_neighbors, counts_.data(), shares_.data());

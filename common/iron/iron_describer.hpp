@@ -31,7 +31,7 @@ class IronDescriber {
   /// Indices of the usable cells, ascending.
   std::span<const std::int32_t> usable() const { return selected_; }
   /// The neighbourhoods of these; bases are the wanted ones.
-  const CellTiles& tiles() const { return tiles_; }
+  CellTiles& tiles() { return tiles_; }
   /// Index in `cells` of the usable cell at grid position `position`.
   std::int32_t cell_index(std::int32_t position) const {
     return selected_[tiles_.grid().sorted_index()[position]];
@@ -50,7 +50,6 @@ class IronDescriber {
   std::vector<std::uint8_t> is_base_;
   CellTiles tiles_;
   std::vector<PairCell> pair_cells_;  // usable cells in grid order
-  std::vector<CellRun> runs_;
   std::vector<std::uint32_t> counts_;
   std::vector<float> shares_;  // descriptors of a tile, value by value
   IronDescriptors descriptors_;

@@ -25,8 +25,8 @@ Ints ColumnsOf(const Floats& q, const PairBinning& binning) {
   return column;
 }
 
-void CountPairsPortable(const BaseLanes& bases, const PairCell* cells, const CellRun* runs,
-                        int run_count, const PairBinning& binning, const ColumnTables&,
+void CountPairsPortable(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                        int near_count, const PairBinning& binning, const ColumnTables&,
                         std::uint32_t* counts) {
   for (int lane = 0; lane < kMostLanes; lane += kPortableLanes) {
     Floats x, y, z, nx, ny, nz;
@@ -36,49 +36,49 @@ void CountPairsPortable(const BaseLanes& bases, const PairCell* cells, const Cel
     Load(nx, bases.normal_x.data() + lane);
     Load(ny, bases.normal_y.data() + lane);
     Load(nz, bases.normal_z.data() + lane);
-    for (int r = 0; r < run_count; ++r)
-      for (int j = runs[r].begin; j < runs[r].end; ++j) {
-        const PairCell& cell = cells[j];
-        const Floats dx = x - cell.x, dy = y - cell.y, dz = z - cell.z;
-        const Floats sq_distance = dx * dx + dy * dy + dz * dz;
-        const Ints inside = sq_distance <= binning.sq_radius;
-        if (!AnyOf(inside)) continue;
-        const Floats between = nx * cell.normal_x + ny * cell.normal_y + nz * cell.normal_z;
-        const Floats along = nx * dx + ny * dy + nz * dz;
-        const Floats least = Floats{} + kLeastSquare;
-        const Ints row = RowsOf(sq_distance, binning);
-        const Ints column0 = ColumnsOf(SignedSquare(between), binning);
-        const Ints column1 =
-            ColumnsOf(SignedSquare(along) / (sq_distance > least ? sq_distance : least), binning);
-        for (int l = 0; l < kPortableLanes; ++l) {
-          if (inside[l] == 0) continue;
-          ++counts[PairCountIndex(row[l], 0, column0[l], binning.columns) + lane + l];
-          ++counts[PairCountIndex(row[l], 1, column1[l], binning.columns) + lane + l];
-        }
+    for (const std::int32_t* at = near; at != near + near_count; ++at) {
+      const PairCell& cell = cells[*at];
+      const Floats dx = x - cell.x, dy = y - cell.y, dz = z - cell.z;
+      const Floats sq_distance = dx * dx + dy * dy + dz * dz;
+      const Ints inside = sq_distance <= binning.sq_radius;
+      if (!AnyOf(inside)) continue;
+      const Floats between = nx * cell.normal_x + ny * cell.normal_y + nz * cell.normal_z;
+      const Floats along = nx * dx + ny * dy + nz * dz;
+      const Floats least = Floats{} + kLeastSquare;
+      const Ints row = RowsOf(sq_distance, binning);
+      const Ints column0 = ColumnsOf(SignedSquare(between), binning);
+      const Ints column1 =
+          ColumnsOf(SignedSquare(along) / (sq_distance > least ? sq_distance : least), binning);
+      for (int l = 0; l < kPortableLanes; ++l) {
+        if (inside[l] == 0) continue;
+        ++counts[PairCountIndex(row[l], 0, column0[l], binning.columns) + lane + l];
+        ++counts[PairCountIndex(row[l], 1, column1[l], binning.columns) + lane + l];
       }
+    }
   }
 }
 
 }  // namespace
 
-void CountPairs(const BaseLanes& bases, const PairCell* cells, const CellRun* runs, int run_count,
-                const PairBinning& binning, const ColumnTables& tables, std::uint32_t* counts) {
+void CountPairs(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                int near_count, const PairBinning& binning, const ColumnTables& tables,
+                std::uint32_t* counts) {
   const auto variant = tables.valid
                            ? ChooseSimd(CountPairsPortable, CountPairsAvx2, CountPairsAvx512)
                            : CountPairsPortable;
-  variant(bases, cells, runs, run_count, binning, tables, counts);
+  variant(bases, cells, near, near_count, binning, tables, counts);
 }
 
 #if !defined(__x86_64__)
-void CountPairsAvx2(const BaseLanes& bases, const PairCell* cells, const CellRun* runs,
-                    int run_count, const PairBinning& binning, const ColumnTables& tables,
+void CountPairsAvx2(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                    int near_count, const PairBinning& binning, const ColumnTables& tables,
                     std::uint32_t* counts) {
-  CountPairsPortable(bases, cells, runs, run_count, binning, tables, counts);
+  CountPairsPortable(bases, cells, near, near_count, binning, tables, counts);
 }
-void CountPairsAvx512(const BaseLanes& bases, const PairCell* cells, const CellRun* runs,
-                      int run_count, const PairBinning& binning, const ColumnTables& tables,
+void CountPairsAvx512(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                      int near_count, const PairBinning& binning, const ColumnTables& tables,
                       std::uint32_t* counts) {
-  CountPairsPortable(bases, cells, runs, run_count, binning, tables, counts);
+  CountPairsPortable(bases, cells, near, near_count, binning, tables, counts);
 }
 #endif
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "fallen/iron/neighbor_grid.hpp"
 #include "fallen/iron/pair_binning.hpp"
 #include "fallen/simd/lanes.hpp"
 
@@ -32,22 +31,23 @@ inline int PairCountIndex(int row, int histogram, int column, int columns) {
   return ((row * 2 + histogram) * columns + column) * kMostLanes;
 }
 
-/// Adds the pairs of each base with all cells of `runs` to the base's lane of `counts`.
+/// Adds the pairs of each base with the cells at `near` to the base's lane of `counts`.
 ///
 /// Angles are folded to 90 degrees; one on an edge belongs to the bin above it; the line between
 /// equal means counts as 90 degrees, so that a base among the cells counts as a neighbour in row 0,
 /// column 0 and the last column.
 /// @param counts  kMostLanes counts for each row, histogram and column, see PairCountIndex.
 /// The same counts at every SimdLevel.
-void CountPairs(const BaseLanes& bases, const PairCell* cells, const CellRun* runs, int run_count,
-                const PairBinning& binning, const ColumnTables& tables, std::uint32_t* counts);
+void CountPairs(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                int near_count, const PairBinning& binning, const ColumnTables& tables,
+                std::uint32_t* counts);
 
 /// The variants for wide registers; they need valid tables.
-void CountPairsAvx2(const BaseLanes& bases, const PairCell* cells, const CellRun* runs,
-                    int run_count, const PairBinning& binning, const ColumnTables& tables,
+void CountPairsAvx2(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                    int near_count, const PairBinning& binning, const ColumnTables& tables,
                     std::uint32_t* counts);
-void CountPairsAvx512(const BaseLanes& bases, const PairCell* cells, const CellRun* runs,
-                      int run_count, const PairBinning& binning, const ColumnTables& tables,
+void CountPairsAvx512(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,
+                      int near_count, const PairBinning& binning, const ColumnTables& tables,
                       std::uint32_t* counts);
 
 /// In place of the squared distance of equal means, so that nothing is divided by zero.

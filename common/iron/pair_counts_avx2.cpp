@@ -72,7 +72,7 @@ FALLEN_TARGET_AVX2 inline __m256i IncrementOf(__m256 q, const Tables& tables) {
 }
 
 FALLEN_TARGET_AVX2 inline void CountLanes(const BaseLanes& bases, int lane, const PairCell* cells,
-                                          const CellRun* runs, int run_count,
+                                          const std::int32_t* near, int near_count,
                                           const PairBinning& binning, const Tables& tables,
                                           std::uint32_t* counts) {
   const __m256 x = _mm256_load_ps(bases.x.data() + lane);
@@ -89,44 +89,44 @@ FALLEN_TARGET_AVX2 inline void CountLanes(const BaseLanes& bases, int lane, cons
   Counters counters = {};
   int until_full = kNibbleLimit;
   int until_bytes_full = kByteLimit;
-  for (int r = 0; r < run_count; ++r)
-    for (const PairCell* cell = cells + runs[r].begin; cell != cells + runs[r].end; ++cell) {
-      const __m256 dx = _mm256_sub_ps(x, _mm256_set1_ps(cell->x));
-      const __m256 dy = _mm256_sub_ps(y, _mm256_set1_ps(cell->y));
-      const __m256 dz = _mm256_sub_ps(z, _mm256_set1_ps(cell->z));
-      const __m256 sq_distance = _mm256_add_ps(
-          _mm256_add_ps(_mm256_mul_ps(dx, dx), _mm256_mul_ps(dy, dy)), _mm256_mul_ps(dz, dz));
-      const __m256 inside = _mm256_cmp_ps(sq_distance, sq_radius, _CMP_LE_OQ);
-      if (_mm256_movemask_ps(inside) == 0) continue;
-      const __m256 between =
-          _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(nx, _mm256_set1_ps(cell->normal_x)),
-                                      _mm256_mul_ps(ny, _mm256_set1_ps(cell->normal_y))),
-                        _mm256_mul_ps(nz, _mm256_set1_ps(cell->normal_z)));
-      const __m256 along = _mm256_add_ps(
-          _mm256_add_ps(_mm256_mul_ps(nx, dx), _mm256_mul_ps(ny, dy)), _mm256_mul_ps(nz, dz));
-      const __m256 sign = _mm256_set1_ps(-0.0F);
-      const __m256i increment0 =
-          IncrementOf(_mm256_mul_ps(between, _mm256_andnot_ps(sign, between)), tables);
-      const __m256i increment1 =
-          IncrementOf(_mm256_div_ps(_mm256_mul_ps(along, _mm256_andnot_ps(sign, along)),
-                                    _mm256_max_ps(sq_distance, least)),
-                      tables);
-      const auto add = [&](int row, __m256 mask) __attribute__((target("avx2"))) {
-        __m256i* const to = counters.nibbles[row];
-        const __m256i wanted = _mm256_castps_si256(mask);
-        to[0] = _mm256_add_epi32(to[0], _mm256_and_si256(increment0, wanted));
-        to[1] = _mm256_add_epi32(to[1], _mm256_and_si256(increment1, wanted));
-      };
-      add(0, inside);
-      add(1, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row1, _CMP_GE_OQ)));
-      add(2, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row2, _CMP_GE_OQ)));
-      if (--until_full > 0) continue;
-      until_full = kNibbleLimit;
-      EmptyNibbles(counters);
-      if (--until_bytes_full > 0) continue;
-      until_bytes_full = kByteLimit;
-      EmptyBytes(counters, binning, counts);
-    }
+  for (const std::int32_t* at = near; at != near + near_count; ++at) {
+    const PairCell* const cell = cells + *at;
+    const __m256 dx = _mm256_sub_ps(x, _mm256_set1_ps(cell->x));
+    const __m256 dy = _mm256_sub_ps(y, _mm256_set1_ps(cell->y));
+    const __m256 dz = _mm256_sub_ps(z, _mm256_set1_ps(cell->z));
+    const __m256 sq_distance = _mm256_add_ps(
+        _mm256_add_ps(_mm256_mul_ps(dx, dx), _mm256_mul_ps(dy, dy)), _mm256_mul_ps(dz, dz));
+    const __m256 inside = _mm256_cmp_ps(sq_distance, sq_radius, _CMP_LE_OQ);
+    if (_mm256_movemask_ps(inside) == 0) continue;
+    const __m256 between =
+        _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(nx, _mm256_set1_ps(cell->normal_x)),
+                                    _mm256_mul_ps(ny, _mm256_set1_ps(cell->normal_y))),
+                      _mm256_mul_ps(nz, _mm256_set1_ps(cell->normal_z)));
+    const __m256 along = _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(nx, dx), _mm256_mul_ps(ny, dy)),
+                                       _mm256_mul_ps(nz, dz));
+    const __m256 sign = _mm256_set1_ps(-0.0F);
+    const __m256i increment0 =
+        IncrementOf(_mm256_mul_ps(between, _mm256_andnot_ps(sign, between)), tables);
+    const __m256i increment1 =
+        IncrementOf(_mm256_div_ps(_mm256_mul_ps(along, _mm256_andnot_ps(sign, along)),
+                                  _mm256_max_ps(sq_distance, least)),
+                    tables);
+    const auto add = [&](int row, __m256 mask) __attribute__((target("avx2"))) {
+      __m256i* const to = counters.nibbles[row];
+      const __m256i wanted = _mm256_castps_si256(mask);
+      to[0] = _mm256_add_epi32(to[0], _mm256_and_si256(increment0, wanted));
+      to[1] = _mm256_add_epi32(to[1], _mm256_and_si256(increment1, wanted));
+    };
+    add(0, inside);
+    add(1, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row1, _CMP_GE_OQ)));
+    add(2, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row2, _CMP_GE_OQ)));
+    if (--until_full > 0) continue;
+    until_full = kNibbleLimit;
+    EmptyNibbles(counters);
+    if (--until_bytes_full > 0) continue;
+    until_bytes_full = kByteLimit;
+    EmptyBytes(counters, binning, counts);
+  }
   EmptyNibbles(counters);
   EmptyBytes(counters, binning, counts);
 }
@@ -134,7 +134,7 @@ FALLEN_TARGET_AVX2 inline void CountLanes(const BaseLanes& bases, int lane, cons
 }  // namespace
 
 FALLEN_TARGET_AVX2 void CountPairsAvx2(const BaseLanes& bases, const PairCell* cells,
-                                       const CellRun* runs, int run_count,
+                                       const std::int32_t* near, int near_count,
                                        const PairBinning& binning, const ColumnTables& columns,
                                        std::uint32_t* counts) {
   alignas(32) std::int32_t shift[8];
@@ -143,7 +143,7 @@ FALLEN_TARGET_AVX2 void CountPairsAvx2(const BaseLanes& bases, const PairCell* c
                          _mm256_loadu_ps(columns.edge_negative.data()),
                          _mm256_load_si256(reinterpret_cast<const __m256i*>(shift))};
   for (int lane = 0; lane < kMostLanes; lane += 8)
-    CountLanes(bases, lane, cells, runs, run_count, binning, tables, counts + lane);
+    CountLanes(bases, lane, cells, near, near_count, binning, tables, counts + lane);
 }
 
 }  // namespace fallen

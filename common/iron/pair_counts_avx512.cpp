@@ -98,7 +98,7 @@ FALLEN_TARGET_AVX512 inline __m512i IncrementOf(__m512 q, const Tables& tables) 
 }  // namespace
 
 FALLEN_TARGET_AVX512 void CountPairsAvx512(const BaseLanes& bases, const PairCell* cells,
-                                           const CellRun* runs, int run_count,
+                                           const std::int32_t* near, int near_count,
                                            const PairBinning& binning, const ColumnTables& columns,
                                            std::uint32_t* counts) {
   const __m512 x = _mm512_load_ps(bases.x.data());
@@ -116,44 +116,41 @@ FALLEN_TARGET_AVX512 void CountPairsAvx512(const BaseLanes& bases, const PairCel
   Counters counters = {};
   int until_full = kNibbleLimit;
   int until_bytes_full = kByteLimit;
-  for (int r = 0; r < run_count; ++r)
-    for (const PairCell* cell = cells + runs[r].begin; cell != cells + runs[r].end; ++cell) {
-      const __m512 dx = _mm512_sub_ps(x, _mm512_set1_ps(cell->x));
-      const __m512 dy = _mm512_sub_ps(y, _mm512_set1_ps(cell->y));
-      const __m512 dz = _mm512_sub_ps(z, _mm512_set1_ps(cell->z));
-      const __m512 sq_distance = _mm512_add_ps(
-          _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy)), _mm512_mul_ps(dz, dz));
-      const __mmask16 inside = _mm512_cmp_ps_mask(sq_distance, sq_radius, _CMP_LE_OQ);
-      if (inside == 0) continue;
-      const __m512 between =
-          _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(nx, _mm512_set1_ps(cell->normal_x)),
-                                      _mm512_mul_ps(ny, _mm512_set1_ps(cell->normal_y))),
-                        _mm512_mul_ps(nz, _mm512_set1_ps(cell->normal_z)));
-      const __m512 along = _mm512_add_ps(
-          _mm512_add_ps(_mm512_mul_ps(nx, dx), _mm512_mul_ps(ny, dy)), _mm512_mul_ps(nz, dz));
-      const __m512i increment0 =
-          IncrementOf(_mm512_mul_ps(between, _mm512_abs_ps(between)), tables);
-      const __m512i increment1 =
-          IncrementOf(_mm512_div_ps(_mm512_mul_ps(along, _mm512_abs_ps(along)),
-                                    _mm512_max_ps(sq_distance, least)),
-                      tables);
-      const __mmask16 from1 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row1, _CMP_GE_OQ);
-      const __mmask16 from2 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row2, _CMP_GE_OQ);
-      const auto add = [&](int row, __mmask16 mask) __attribute__((target("avx512f"))) {
-        __m512i* const to = counters.nibbles[row];
-        to[0] = _mm512_mask_add_epi32(to[0], mask, to[0], increment0);
-        to[1] = _mm512_mask_add_epi32(to[1], mask, to[1], increment1);
-      };
-      add(0, inside);
-      add(1, from1);
-      add(2, from2);
-      if (--until_full > 0) continue;
-      until_full = kNibbleLimit;
-      EmptyNibbles(counters);
-      if (--until_bytes_full > 0) continue;
-      until_bytes_full = kByteLimit;
-      EmptyBytes(counters, binning, counts);
-    }
+  for (const std::int32_t* at = near; at != near + near_count; ++at) {
+    const PairCell* const cell = cells + *at;
+    const __m512 dx = _mm512_sub_ps(x, _mm512_set1_ps(cell->x));
+    const __m512 dy = _mm512_sub_ps(y, _mm512_set1_ps(cell->y));
+    const __m512 dz = _mm512_sub_ps(z, _mm512_set1_ps(cell->z));
+    const __m512 sq_distance = _mm512_add_ps(
+        _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy)), _mm512_mul_ps(dz, dz));
+    const __mmask16 inside = _mm512_cmp_ps_mask(sq_distance, sq_radius, _CMP_LE_OQ);
+    const __m512 between =
+        _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(nx, _mm512_set1_ps(cell->normal_x)),
+                                    _mm512_mul_ps(ny, _mm512_set1_ps(cell->normal_y))),
+                      _mm512_mul_ps(nz, _mm512_set1_ps(cell->normal_z)));
+    const __m512 along = _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(nx, dx), _mm512_mul_ps(ny, dy)),
+                                       _mm512_mul_ps(nz, dz));
+    const __m512i increment0 = IncrementOf(_mm512_mul_ps(between, _mm512_abs_ps(between)), tables);
+    const __m512i increment1 = IncrementOf(_mm512_div_ps(_mm512_mul_ps(along, _mm512_abs_ps(along)),
+                                                         _mm512_max_ps(sq_distance, least)),
+                                           tables);
+    const __mmask16 from1 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row1, _CMP_GE_OQ);
+    const __mmask16 from2 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row2, _CMP_GE_OQ);
+    const auto add = [&](int row, __mmask16 mask) __attribute__((target("avx512f"))) {
+      __m512i* const to = counters.nibbles[row];
+      to[0] = _mm512_mask_add_epi32(to[0], mask, to[0], increment0);
+      to[1] = _mm512_mask_add_epi32(to[1], mask, to[1], increment1);
+    };
+    add(0, inside);
+    add(1, from1);
+    add(2, from2);
+    if (--until_full > 0) continue;
+    until_full = kNibbleLimit;
+    EmptyNibbles(counters);
+    if (--until_bytes_full > 0) continue;
+    until_bytes_full = kByteLimit;
+    EmptyBytes(counters, binning, counts);
+  }
   EmptyNibbles(counters);
   EmptyBytes(counters, binning, counts);
 }

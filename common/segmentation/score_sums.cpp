@@ -8,8 +8,8 @@ namespace fallen {
 namespace {
 
 template <int kLanes>
-[[gnu::always_inline]] inline void SumLanes(const ScoredPoint* points, const CellRun* runs,
-                                            int run_count, float sq_radius, int lane,
+[[gnu::always_inline]] inline void SumLanes(const ScoredPoint* points, const std::int32_t* near,
+                                            int near_count, float sq_radius, int lane,
                                             ScoreSums& sums) {
   using Floats = typename Lanes<kLanes>::Floats;
   using Ints = typename Lanes<kLanes>::Ints;
@@ -18,35 +18,34 @@ template <int kLanes>
   Load(x, sums.x.data() + lane);
   Load(y, sums.y.data() + lane);
   Load(z, sums.z.data() + lane);
-  for (int r = 0; r < run_count; ++r)
-    for (const ScoredPoint* point = points + runs[r].begin; point != points + runs[r].end;
-         ++point) {
-      const Floats dx = x - point->x, dy = y - point->y, dz = z - point->z;
-      const Ints inside = dx * dx + dy * dy + dz * dz <= sq_radius;
-      sum += inside ? Floats{} + point->score : Floats{};
-      count += inside & point->count;
-    }
+  for (const std::int32_t* at = near; at != near + near_count; ++at) {
+    const ScoredPoint* const point = points + *at;
+    const Floats dx = x - point->x, dy = y - point->y, dz = z - point->z;
+    const Ints inside = dx * dx + dy * dy + dz * dz <= sq_radius;
+    sum += inside ? Floats{} + point->score : Floats{};
+    count += inside & point->count;
+  }
   Store(sum, sums.sum.data() + lane);
   Store(count, sums.count.data() + lane);
 }
 
-void SumPortable(const ScoredPoint* points, const CellRun* runs, int run_count, float sq_radius,
-                 ScoreSums& sums) {
+void SumPortable(const ScoredPoint* points, const std::int32_t* near, int near_count,
+                 float sq_radius, ScoreSums& sums) {
   for (int lane = 0; lane < kMostLanes; lane += kPortableLanes)
-    SumLanes<kPortableLanes>(points, runs, run_count, sq_radius, lane, sums);
+    SumLanes<kPortableLanes>(points, near, near_count, sq_radius, lane, sums);
 }
 
-FALLEN_TARGET_AVX2 void SumAvx2(const ScoredPoint* points, const CellRun* runs, int run_count,
+FALLEN_TARGET_AVX2 void SumAvx2(const ScoredPoint* points, const std::int32_t* near, int near_count,
                                 float sq_radius, ScoreSums& sums) {
   for (int lane = 0; lane < kMostLanes; lane += kAvx2Lanes)
-    SumLanes<kAvx2Lanes>(points, runs, run_count, sq_radius, lane, sums);
+    SumLanes<kAvx2Lanes>(points, near, near_count, sq_radius, lane, sums);
 }
 
 }  // namespace
 
-void SumScores(const ScoredPoint* points, const CellRun* runs, int run_count, float sq_radius,
+void SumScores(const ScoredPoint* points, const std::int32_t* near, int near_count, float sq_radius,
                ScoreSums& sums) {
-  ChooseSimd(SumPortable, SumAvx2, SumAvx2)(points, runs, run_count, sq_radius, sums);
+  ChooseSimd(SumPortable, SumAvx2, SumAvx2)(points, near, near_count, sq_radius, sums);
 }
 
 }  // namespace fallen

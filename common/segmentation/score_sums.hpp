@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "fallen/iron/neighbor_grid.hpp"
 #include "fallen/simd/lanes.hpp"
 
 namespace fallen {
@@ -24,9 +23,9 @@ struct alignas(64) ScoreSums {
   std::array<std::int32_t, kMostLanes> count;  ///< of the points that have one
 };
 
-/// Sums the scores of all points of `runs` within the radius of each lane's point, in their order.
+/// Sums the scores of the points at `near` within the radius of each lane's point, in their order.
 /// The same bits at every SimdLevel.
-void SumScores(const ScoredPoint* points, const CellRun* runs, int run_count, float sq_radius,
+void SumScores(const ScoredPoint* points, const std::int32_t* near, int near_count, float sq_radius,
                ScoreSums& sums);
 
 }  // namespace fallen

@@ -9,8 +9,7 @@
 
 namespace fallen {
 
-const std::vector<float>& ScoreSmoother::Smooth(const CellTiles& tiles,
-                                                std::span<const float> scores,
+const std::vector<float>& ScoreSmoother::Smooth(CellTiles& tiles, std::span<const float> scores,
                                                 std::span<const std::uint8_t> valid,
                                                 float radius_m) {
   const NeighborGrid& grid = tiles.grid();
@@ -30,7 +29,7 @@ const std::vector<float>& ScoreSmoother::Smooth(const CellTiles& tiles,
   }
   smoothed_.assign(grid.size(), 0.0F);
   for (const CellTile& tile : tiles.tiles()) {
-    tiles.FindRuns(tile, radius_m, runs_);
+    const std::span<const std::int32_t> near = tiles.FindNear(tile, radius_m);
     const std::span<const std::int32_t> bases = tiles.bases_of(tile);
     ScoreSums sums;
     for (std::size_t lane = 0; lane < kMostLanes; ++lane) {
@@ -39,7 +38,7 @@ const std::vector<float>& ScoreSmoother::Smooth(const CellTiles& tiles,
       sums.y[lane] = point.y;
       sums.z[lane] = point.z;
     }
-    SumScores(points_.data(), runs_.data(), static_cast<int>(runs_.size()), radius_m * radius_m,
+    SumScores(points_.data(), near.data(), static_cast<int>(near.size()), radius_m * radius_m,
               sums);
     for (std::size_t lane = 0; lane < bases.size(); ++lane)
       if (points_[bases[lane]].count > 0)

@@ -22,13 +22,12 @@ class ScoreSmoother {
   /// the next call.
   /// @throws std::invalid_argument if sizes disagree or the radius is negative or not finite.
   /// Deterministic: summed in the grid's order, in float, the same bits at every SimdLevel.
-  const std::vector<float>& Smooth(const CellTiles& tiles, std::span<const float> scores,
+  const std::vector<float>& Smooth(CellTiles& tiles, std::span<const float> scores,
                                    std::span<const std::uint8_t> valid, float radius_m);
 
  private:
   std::vector<float> smoothed_;
   std::vector<ScoredPoint> points_;  // in grid order
-  std::vector<CellRun> runs_;
 };
 
 }  // namespace fallen

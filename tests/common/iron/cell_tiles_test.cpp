@@ -19,23 +19,21 @@ std::vector<Eigen::Vector3f> RandomPoints(int count, float size_m, const Eigen::
   return points;
 }
 
-// Every base is in one tile, and the runs of its tile hold all its neighbours.
+// Every base is in one tile, and what is found near its tile holds all its neighbours.
 void ExpectComplete(const std::vector<Eigen::Vector3f>& points,
                     const std::vector<std::uint8_t>& is_base, float radius_m) {
   CellTiles tiles;
   tiles.Build(points, is_base, 0.5F);
   const std::span<const Eigen::Vector3f> sorted = tiles.grid().sorted_points();
   std::vector<std::uint8_t> seen(points.size(), 0);
-  std::vector<CellRun> runs;
   for (const CellTile& tile : tiles.tiles()) {
     ASSERT_LE(tiles.bases_of(tile).size(), static_cast<std::size_t>(kMostLanes));
-    tiles.FindRuns(tile, radius_m, runs);
+    const std::span<const std::int32_t> near = tiles.FindNear(tile, radius_m);
     for (const std::int32_t base : tiles.bases_of(tile)) {
       ++seen[tiles.grid().sorted_index()[base]];
       int found = 0, expected = 0;
-      for (const CellRun& run : runs)
-        for (int k = run.begin; k < run.end; ++k)
-          found += (sorted[k] - sorted[base]).squaredNorm() <= radius_m * radius_m;
+      for (const std::int32_t k : near)
+        found += (sorted[k] - sorted[base]).squaredNorm() <= radius_m * radius_m;
       for (const Eigen::Vector3f& point : points)
         expected += (point - sorted[base]).squaredNorm() <= radius_m * radius_m;
       ASSERT_EQ(found, expected);
@@ -73,13 +71,9 @@ TEST(CellTiles, StayTheSameWhereTheirMemoryWasUsed) {
   fresh.Build(points, all, 0.5F);
   ASSERT_EQ(used.tiles().size(), fresh.tiles().size());
   EXPECT_TRUE(std::ranges::equal(used.bases(), fresh.bases()));
-  std::vector<CellRun> a, b;
-  for (std::size_t t = 0; t < used.tiles().size(); ++t) {
-    used.FindRuns(used.tiles()[t], 0.5F, a);
-    fresh.FindRuns(fresh.tiles()[t], 0.5F, b);
-    ASSERT_EQ(a.size(), b.size());
-    for (std::size_t r = 0; r < a.size(); ++r) ASSERT_EQ(a[r].begin, b[r].begin);
-  }
+  for (std::size_t t = 0; t < used.tiles().size(); ++t)
+    ASSERT_TRUE(std::ranges::equal(used.FindNear(used.tiles()[t], 0.5F),
+                                   fresh.FindNear(fresh.tiles()[t], 0.5F)));
 }
 
 }  // namespace

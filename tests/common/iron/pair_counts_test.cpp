@@ -16,10 +16,10 @@ namespace {
 struct Scene {
   BaseLanes bases{};
   std::vector<PairCell> cells;
-  std::vector<CellRun> runs;
+  std::vector<std::int32_t> near;
 };
 
-// `count` cells with random normals in two runs; the first kMostLanes - 3 are the bases.
+// `count` cells with random normals, most of them near; the first kMostLanes - 3 are the bases.
 Scene RandomScene(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(-0.5F, 0.5F);
@@ -44,7 +44,8 @@ Scene RandomScene(int count, unsigned seed) {
     scene.bases.normal_y[lane] = PairBinning::kNormalScale * cell.normal_y;
     scene.bases.normal_z[lane] = PairBinning::kNormalScale * cell.normal_z;
   }
-  scene.runs = {{0, count / 3}, {count / 2, count}};
+  for (int k = 0; k < count; ++k)
+    if (k < count / 3 || k >= count / 2) scene.near.push_back(k);
   return scene;
 }
 
@@ -54,24 +55,23 @@ std::vector<std::uint32_t> PlainCounts(const Scene& scene, const PairBinning& bi
                                     kMostLanes);
   const auto square = [](float c) { return c * std::abs(c); };
   for (int lane = 0; lane < kMostLanes; ++lane)
-    for (const CellRun& run : scene.runs)
-      for (int j = run.begin; j < run.end; ++j) {
-        const PairCell& cell = scene.cells[j];
-        const Eigen::Vector3f line(scene.bases.x[lane] - cell.x, scene.bases.y[lane] - cell.y,
-                                   scene.bases.z[lane] - cell.z);
-        const Eigen::Vector3f normal(scene.bases.normal_x[lane], scene.bases.normal_y[lane],
-                                     scene.bases.normal_z[lane]);
-        const float sq_distance = line.x() * line.x() + line.y() * line.y() + line.z() * line.z();
-        if (sq_distance > binning.sq_radius) continue;
-        const float between =
-            normal.x() * cell.normal_x + normal.y() * cell.normal_y + normal.z() * cell.normal_z;
-        const float along = normal.x() * line.x() + normal.y() * line.y() + normal.z() * line.z();
-        const int row = binning.RowOf(sq_distance);
-        const int column0 = binning.ColumnOf(square(between));
-        const int column1 = binning.ColumnOf(square(along) / std::max(sq_distance, kLeastSquare));
-        ++counts[PairCountIndex(row, 0, column0, binning.columns) + lane];
-        ++counts[PairCountIndex(row, 1, column1, binning.columns) + lane];
-      }
+    for (const std::int32_t j : scene.near) {
+      const PairCell& cell = scene.cells[j];
+      const Eigen::Vector3f line(scene.bases.x[lane] - cell.x, scene.bases.y[lane] - cell.y,
+                                 scene.bases.z[lane] - cell.z);
+      const Eigen::Vector3f normal(scene.bases.normal_x[lane], scene.bases.normal_y[lane],
+                                   scene.bases.normal_z[lane]);
+      const float sq_distance = line.x() * line.x() + line.y() * line.y() + line.z() * line.z();
+      if (sq_distance > binning.sq_radius) continue;
+      const float between =
+          normal.x() * cell.normal_x + normal.y() * cell.normal_y + normal.z() * cell.normal_z;
+      const float along = normal.x() * line.x() + normal.y() * line.y() + normal.z() * line.z();
+      const int row = binning.RowOf(sq_distance);
+      const int column0 = binning.ColumnOf(square(between));
+      const int column1 = binning.ColumnOf(square(along) / std::max(sq_distance, kLeastSquare));
+      ++counts[PairCountIndex(row, 0, column0, binning.columns) + lane];
+      ++counts[PairCountIndex(row, 1, column1, binning.columns) + lane];
+    }
   return counts;
 }
 
@@ -81,8 +81,8 @@ void ExpectPlainCountsAtEveryLevel(const Scene& scene, const IronConfig& config)
   const std::vector<std::uint32_t> expected = PlainCounts(scene, binning);
   test::AtEverySimdLevel([&](SimdLevel level) {
     std::vector<std::uint32_t> counts(expected.size());
-    CountPairs(scene.bases, scene.cells.data(), scene.runs.data(),
-               static_cast<int>(scene.runs.size()), binning, tables, counts.data());
+    CountPairs(scene.bases, scene.cells.data(), scene.near.data(),
+               static_cast<int>(scene.near.size()), binning, tables, counts.data());
     EXPECT_EQ(counts, expected) << "level " << static_cast<int>(level);
   });
 }

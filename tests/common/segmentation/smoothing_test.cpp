@@ -23,7 +23,8 @@ CellTiles TilesOf(const Points& points) {
 
 std::vector<float> Smooth(const Points& points, const std::vector<float>& scores,
                           const std::vector<std::uint8_t>& valid, float radius_m) {
-  return ScoreSmoother().Smooth(TilesOf(points), scores, valid, radius_m);
+  CellTiles tiles = TilesOf(points);
+  return ScoreSmoother().Smooth(tiles, scores, valid, radius_m);
 }
 
 TEST(ScoreSmoother, IsTheMeanOverAllPairsWithinTheRadius) {
