@@ -45,9 +45,9 @@ TEST(MovedFurniture, MovesTheShareOfThePiecesAndNothingElse) {
     EXPECT_NEAR(piece.mesh.Bounds().min().z(), 0, 1e-5);
     for (std::size_t k = 0; k < after.objects.size(); ++k) {
       const OrientedBox &a = piece.box, &b = after.objects[k].box;
-      if (k != i)
-        EXPECT_FALSE(Overlap({a.center.head<2>(), a.size.head<2>(), a.yaw},
-                             {b.center.head<2>(), b.size.head<2>(), b.yaw}, -0.03));
+      if (k == i) continue;
+      EXPECT_FALSE(Overlap({a.center.head<2>(), a.size.head<2>(), a.yaw},
+                           {b.center.head<2>(), b.size.head<2>(), b.yaw}, -0.03));
     }
   }
   EXPECT_EQ(moved, 2);
