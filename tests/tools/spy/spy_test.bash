@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # fallen-spy as a person uses it, on a screen of its own: types decoded, the plugins' plan and status drawn, the
 # log player opened; and a subscriber in Java. Screenshots are left in OUT, to be looked at.
-# usage: spy_test.bash BIN SOURCE OUT
+# usage: spy_test.bash BIN SOURCE OUT LCM_JAR
 set -euo pipefail
-bin=$1 source=$2 out=$3
+bin=$1 source=$2 out=$3 lcm=$4
 
 for tool in Xvfb xdotool import convert java lcm-logplayer; do
   command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
@@ -62,7 +62,7 @@ until_true 30 test -s "$work/display" || fail "Xvfb did not start"
 export DISPLAY=:$(cat "$work/display")
 
 "$bin/fallen-spy" >"$work/spy.log" 2>&1 & pids+=($!)
-java -Djava.net.preferIPv4Stack=true -cp "/usr/share/java/lcm.jar:$bin/../share/java/lcmtypes_fallen.jar" \
+java -Djava.net.preferIPv4Stack=true -cp "$lcm:$bin/../share/java/lcmtypes_fallen.jar" \
   fallen.spy.PersonListener >"$work/listener.log" 2>&1 & pids+=($!)
 until_true 60 grep -q 'Found 2 plugins' "$work/spy.log" || fail "lcm-spy did not find our plugins"
 until_true 60 xdotool search --name 'LCM Spy' || fail "lcm-spy has no window"
