@@ -78,7 +78,7 @@ Decision JudgeClusters(const DescribedClusters& clusters, const BaselineModel& m
     hypothesis.probability = model.calibration.Probability(scores[i]);
     hypothesis.is_person = hypothesis.probability >= decision.min_probability;
   }
-  decision.hypotheses = BestOfEachPlace(std::move(decision.hypotheses), config.min_separation_m);
+  KeepBestOfEachPlace(decision.hypotheses, config.min_separation_m);
   return decision;
 }
 

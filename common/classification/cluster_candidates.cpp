@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fallen/classification/cluster_candidates.hpp"
 
-#include <utility>
+#include <numeric>
 
+#include "fallen/classification/calibration.hpp"
 #include "fallen/classification/cluster_features.hpp"
-#include "fallen/classification/cluster_parts.hpp"
 #include "fallen/classification/soft_threshold_encoding.hpp"
 
 namespace fallen {
@@ -14,72 +14,83 @@ namespace {
 // Least score that trees can give.
 constexpr double kNoFloor = -1;
 
-ClusterCandidate MakeCandidate(const SegmentedMap& segmented, CellCluster cluster,
-                               std::size_t whole, const ClusterModel& model) {
-  ClusterCandidate candidate;
+}  // namespace
+
+ClusterCandidate& CandidateFinder::Add(const SegmentedMap& segmented, const CellCluster& cluster,
+                                       std::span<const std::int32_t> members, std::size_t whole,
+                                       const ClusterModel& model) {
+  if (count_ == candidates_.size()) candidates_.emplace_back();
+  ClusterCandidate& candidate = candidates_[count_++];
+  TakeMembers(cluster, members, candidate.cluster);
   candidate.whole = static_cast<std::int32_t>(whole);
-  for (const std::int32_t index : cluster.cells)
+  candidate.centroid.setZero();
+  for (const std::int32_t index : candidate.cluster.cells)
     candidate.centroid += segmented.cells[index].cell.mean.cast<double>();
-  candidate.centroid /= static_cast<double>(cluster.cells.size());
-  candidate.box = FitUprightBox(segmented, cluster);
-  candidate.code = EncodeCluster(cluster.descriptors, model.codebook, model.alpha);
+  candidate.centroid /= static_cast<double>(members.size());
+  candidate.box = FitUprightBox(segmented, candidate.cluster);
+  EncodeCluster(candidate.cluster.MemberDescriptors(), model.codebook, model.alpha, candidate.code);
   candidate.mahalanobis_distance = model.gaussian.Distance(candidate.code);
-  candidate.cluster = std::move(cluster);
   return candidate;
 }
 
-}  // namespace
-
-std::vector<ClusterCandidate> WholeClusters(const SegmentedMap& segmented,
+ClusterCandidate& CandidateFinder::AddWhole(const SegmentedMap& segmented, std::size_t whole,
                                             const ClusterModel& model) {
-  std::vector<ClusterCandidate> candidates;
-  for (std::size_t c = 0; c < segmented.clusters.size(); ++c)
-    candidates.push_back(MakeCandidate(segmented, segmented.clusters[c], c, model));
-  return candidates;
+  const CellCluster& cluster = segmented.clusters[whole];
+  all_members_.resize(cluster.cells.size());
+  std::iota(all_members_.begin(), all_members_.end(), 0);
+  return Add(segmented, cluster, all_members_, whole, model);
 }
 
-std::vector<ClusterCandidate> ClustersAndParts(const SegmentedMap& segmented,
-                                               const ClusterModel& model) {
+std::span<const ClusterCandidate> CandidateFinder::WholeClusters(const SegmentedMap& segmented,
+                                                                 const ClusterModel& model) {
+  count_ = 0;
+  for (std::size_t c = 0; c < segmented.clusters.size(); ++c)
+    AddWhole(segmented, c, model).features.resize(0);
+  return std::span(candidates_).first(count_);
+}
+
+std::span<const ClusterCandidate> CandidateFinder::ClustersAndParts(const SegmentedMap& segmented,
+                                                                    const ClusterModel& model) {
   if (!segmented.ground.ok()) return WholeClusters(segmented, model);
+  count_ = 0;
   const ClusterScene scene(segmented);
-  std::vector<ClusterCandidate> candidates;
   for (std::size_t c = 0; c < segmented.clusters.size(); ++c) {
     const CellCluster& cluster = segmented.clusters[c];
-    const std::size_t first = candidates.size();
-    candidates.push_back(MakeCandidate(segmented, cluster, c, model));
-    for (CellCluster& part : FindClusterParts(segmented, cluster, candidates[first].box))
-      candidates.push_back(MakeCandidate(segmented, std::move(part), c, model));
-    const WholeCluster whole{cluster, candidates[first].box};
-    for (std::size_t i = first; i < candidates.size(); ++i) {
-      ClusterCandidate& candidate = candidates[i];
-      candidate.features = ComputeClusterFeatures(scene, candidate.cluster, candidate.box, whole,
-                                                  candidate.code, candidate.mahalanobis_distance);
+    const std::size_t first = count_;
+    const OrientedBox box = AddWhole(segmented, c, model).box;
+    parts_.Find(segmented, cluster, box);
+    for (std::size_t i = 0; i < parts_.count(); ++i)
+      Add(segmented, cluster, parts_.part(i), c, model);
+    for (std::size_t i = first; i < count_; ++i) {
+      ClusterCandidate& candidate = candidates_[i];
+      ComputeClusterFeatures(scene, candidate.cluster, candidate.box, {cluster, box},
+                             candidate.code, candidate.mahalanobis_distance, candidate.features);
     }
   }
-  return candidates;
+  return std::span(candidates_).first(count_);
 }
 
-std::vector<ClusterCandidate> FindCandidates(const SegmentedMap& segmented,
-                                             const ClusterModel& model) {
+std::span<const ClusterCandidate> CandidateFinder::Find(const SegmentedMap& segmented,
+                                                        const ClusterModel& model) {
   return model.trees.roots.empty() ? WholeClusters(segmented, model)
                                    : ClustersAndParts(segmented, model);
 }
 
-std::vector<double> ClusterEvidence(std::span<const ClusterCandidate> candidates,
-                                    const ClusterModel& model) {
-  std::vector<double> evidence(candidates.size(), kNoFloor);
-  if (model.trees.roots.empty()) {
+std::span<const double> EvidenceScorer::Score(std::span<const ClusterCandidate> candidates) {
+  evidence_.assign(candidates.size(), kNoFloor);
+  if (!has_trees_) {
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      evidence[i] = MahalanobisEvidence(candidates[i].mahalanobis_distance);
-    return evidence;
+      evidence_[i] = MahalanobisEvidence(candidates[i].mahalanobis_distance);
+    return evidence_;
   }
-  if (candidates.empty() || candidates[0].features.size() == 0) return evidence;
-  FeatureMatrix features(static_cast<Eigen::Index>(candidates.size()),
-                         candidates[0].features.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    features.row(static_cast<Eigen::Index>(i)) = candidates[i].features;
-  const std::vector<float> scores = PredictScores(model.trees, features);
-  return {scores.begin(), scores.end()};
+  if (candidates.empty() || candidates[0].features.size() == 0) return evidence_;
+  const auto rows = static_cast<Eigen::Index>(candidates.size());
+  GrowRows(features_, rows, candidates[0].features.size());
+  for (Eigen::Index i = 0; i < rows; ++i)
+    features_.row(i) = candidates[static_cast<std::size_t>(i)].features;
+  scorer_.Score(features_.topRows(rows), scores_);
+  evidence_.assign(scores_.begin(), scores_.end());
+  return evidence_;
 }
 
 }  // namespace fallen

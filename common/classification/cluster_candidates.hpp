@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "fallen/classification/cluster_classification.hpp"
+#include "fallen/classification/cluster_parts.hpp"
+#include "fallen/segmentation/tree_scorer.hpp"
 
 namespace fallen {
 
@@ -22,25 +24,55 @@ struct ClusterCandidate {
   Eigen::RowVectorXf features;  ///< ComputeClusterFeatures, or empty
 };
 
-/// Every cluster as it is, without features: what the paper judges.
-/// @param model  Codebook and Gaussian are used. Deterministic. Thread-safe.
-std::vector<ClusterCandidate> WholeClusters(const SegmentedMap& segmented,
-                                            const ClusterModel& model);
+/// Finds what there is to judge in frame after frame, in the same memory. Deterministic.
+///
+/// What it found holds until the next call. Of the models, codebook and Gaussian are used.
+class CandidateFinder {
+ public:
+  /// Every cluster as it is, without features: what the paper judges.
+  std::span<const ClusterCandidate> WholeClusters(const SegmentedMap& segmented,
+                                                  const ClusterModel& model);
 
-/// Every cluster, each followed by its parts (FindClusterParts), with features. Without a floor,
-/// from which features are measured, as WholeClusters.
-/// @param model  Codebook and Gaussian are used. Deterministic. Thread-safe.
-std::vector<ClusterCandidate> ClustersAndParts(const SegmentedMap& segmented,
-                                               const ClusterModel& model);
+  /// Every cluster, each followed by its parts (ClusterPartFinder), with features. Without a floor,
+  /// from which features are measured, as WholeClusters.
+  std::span<const ClusterCandidate> ClustersAndParts(const SegmentedMap& segmented,
+                                                     const ClusterModel& model);
 
-/// What `model` judges: ClustersAndParts by trees, else WholeClusters.
-std::vector<ClusterCandidate> FindCandidates(const SegmentedMap& segmented,
-                                             const ClusterModel& model);
+  /// What `model` judges: ClustersAndParts by trees, else WholeClusters.
+  std::span<const ClusterCandidate> Find(const SegmentedMap& segmented, const ClusterModel& model);
 
-/// How much each candidate looks like a fallen person, as ClusterModel::calibration takes it: the
-/// score of the model's trees, [-1, 1], or MahalanobisEvidence from a model without. A model with
-/// trees gives -1 to candidates without features: without a floor nothing can be said to lie on it.
-std::vector<double> ClusterEvidence(std::span<const ClusterCandidate> candidates,
-                                    const ClusterModel& model);
+ private:
+  ClusterCandidate& Add(const SegmentedMap& segmented, const CellCluster& cluster,
+                        std::span<const std::int32_t> members, std::size_t whole,
+                        const ClusterModel& model);
+  ClusterCandidate& AddWhole(const SegmentedMap& segmented, std::size_t whole,
+                             const ClusterModel& model);
+
+  std::vector<ClusterCandidate> candidates_;  // the first `count_`, then those of earlier frames
+  std::size_t count_ = 0;
+  std::vector<std::int32_t> all_members_;
+  ClusterPartFinder parts_;
+};
+
+/// Tells how much candidates look like fallen persons, frame after frame in the same memory.
+class EvidenceScorer {
+ public:
+  /// @param model  Valid: see ClusterModel::Validate.
+  explicit EvidenceScorer(const ClusterModel& model)
+      : scorer_(model.trees), has_trees_(!model.trees.roots.empty()) {}
+
+  /// Evidence as ClusterModel::calibration takes it, one value a candidate, until the next call:
+  /// the score of the model's trees, [-1, 1], or MahalanobisEvidence from a model without. A model
+  /// with trees gives -1 to candidates without features: without a floor nothing can be said to lie
+  /// on it.
+  std::span<const double> Score(std::span<const ClusterCandidate> candidates);
+
+ private:
+  TreeScorer scorer_;
+  bool has_trees_;
+  FeatureMatrix features_;
+  std::vector<float> scores_;
+  std::vector<double> evidence_;
+};
 
 }  // namespace fallen

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "fallen/classification/cluster_candidates.hpp"
+#include "fallen/classification/cluster_classifier.hpp"
 #include "fallen/classification/cluster_features.hpp"
 #include "fallen/classification/cluster_parts.hpp"
 #include "fallen/classification/hypothesis_selection.hpp"
@@ -80,40 +80,44 @@ void ClassificationConfig::Validate() const {
 Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
                           const ClassificationConfig& config) {
   Decision decision;
-  ClassifyClusters(segmented, model, config, decision);
+  ClusterClassifier(model).Classify(segmented, config, decision);
   return decision;
 }
 
-void ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
-                      const ClassificationConfig& config, Decision& decision) {
+ClusterClassifier::ClusterClassifier(ClusterModel model)
+    : model_(std::move(model)), scorer_(model_) {}
+
+void ClusterClassifier::Classify(const SegmentedMap& segmented, const ClassificationConfig& config,
+                                 Decision& decision) {
   config.Validate();
-  if (!(segmented.iron == model.iron))
+  if (!(segmented.iron == model_.iron))
     Fail("the descriptors were computed with other settings than the model's");
 
   decision.hypotheses.clear();
   decision.frame = segmented.frame;
   decision.T_map_camera = segmented.T_map_camera;
   decision.view = segmented.view;
-  decision.min_probability = model.calibration.MinProbability(config.false_positives_per_frame);
-  std::vector<PersonHypothesis> of_one_cluster;
+  decision.min_probability = model_.calibration.MinProbability(config.false_positives_per_frame);
+  of_one_cluster_.clear();
   std::int32_t whole = 0;
   const auto take_best = [&] {
     // Parts of one cluster that are nearer to each other are of the same person.
-    for (PersonHypothesis& best : BestOfEachPlace(std::move(of_one_cluster), kPersonLength_m))
-      decision.hypotheses.push_back(std::move(best));
-    of_one_cluster.clear();
+    KeepBestOfEachPlace(of_one_cluster_, kPersonLength_m);
+    decision.hypotheses.insert(decision.hypotheses.end(), of_one_cluster_.begin(),
+                               of_one_cluster_.end());
+    of_one_cluster_.clear();
   };
-  const std::vector<ClusterCandidate> candidates = FindCandidates(segmented, model);
-  const std::vector<double> evidence = ClusterEvidence(candidates, model);
+  const std::span<const ClusterCandidate> candidates = finder_.Find(segmented, model_);
+  const std::span<const double> evidence = scorer_.Score(candidates);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].whole != whole) take_best();
     whole = candidates[i].whole;
-    of_one_cluster.push_back(MakeHypothesis(segmented, candidates[i],
-                                            model.calibration.Probability(evidence[i]),
-                                            decision.min_probability));
+    of_one_cluster_.push_back(MakeHypothesis(segmented, candidates[i],
+                                             model_.calibration.Probability(evidence[i]),
+                                             decision.min_probability));
   }
   take_best();
-  decision.hypotheses = BestOfEachPlace(std::move(decision.hypotheses), config.min_separation_m);
+  KeepBestOfEachPlace(decision.hypotheses, config.min_separation_m);
 }
 
 }  // namespace fallen

@@ -74,9 +74,6 @@ struct Decision {
 /// Deterministic. Thread-safe.
 Decision ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
                           const ClassificationConfig& config = {});
-/// Likewise, into memory that is there.
-void ClassifyClusters(const SegmentedMap& segmented, const ClusterModel& model,
-                      const ClassificationConfig& config, Decision& decision);
 
 /// Finds the box of the least ground area around the cells of `cluster`: about their means, and
 /// half a cell more on each side.

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 #include <span>
-#include <vector>
 
 #include "fallen/classification/cluster_scene.hpp"
+#include "fallen/geometry/kept_vector.hpp"
 #include "fallen/geometry/oriented_box.hpp"
 
 /// The parts that ComputeClusterFeatures is made of.
@@ -48,9 +48,9 @@ struct PlacedCluster {
   FloorFrame frame;            ///< main axis: towards the half with the higher mean
   double deviation_along = 0;  ///< standard deviations of the members' places [m]
   double deviation_across = 0;
-  double least_along = 0;         ///< of the members
-  double length = 0;              ///< greatest minus least `along`, not less than 1 mm
-  std::vector<PlacedCell> cells;  ///< as `cluster.cells`
+  double least_along = 0;        ///< of the members
+  double length = 0;             ///< greatest minus least `along`, not less than 1 mm
+  KeptVector<PlacedCell> cells;  ///< as `cluster.cells`
 };
 
 /// Appends values to a row.

@@ -17,11 +17,12 @@ static_assert(2 + kShapeColumns + kSurfaceColumns + kSurroundingsColumns + kWhol
                   kLayerColumns ==
               kClusterShapeFeatures);
 
-Eigen::RowVectorXf MeanAndDeviation(const IronDescriptors::Matrix& descriptors) {
-  Eigen::RowVectorXf values(2 * descriptors.cols());
-  const Eigen::RowVectorXf mean = descriptors.colwise().mean();
-  values << mean, (descriptors.rowwise() - mean).array().square().colwise().mean().sqrt().matrix();
-  return values;
+void AddMeanAndDeviation(const Eigen::Ref<const IronDescriptors::Matrix>& descriptors,
+                         Eigen::Ref<Eigen::RowVectorXf> values) {
+  auto mean = values.head(descriptors.cols());
+  mean = descriptors.colwise().mean();
+  values.tail(descriptors.cols()) =
+      (descriptors.rowwise() - mean).array().square().colwise().mean().sqrt().matrix();
 }
 
 }  // namespace
@@ -34,10 +35,19 @@ Eigen::RowVectorXf ComputeClusterFeatures(const ClusterScene& scene, const CellC
                                           const OrientedBox& box, const WholeCluster& whole,
                                           const Eigen::VectorXd& code,
                                           double mahalanobis_distance) {
+  Eigen::RowVectorXf values;
+  ComputeClusterFeatures(scene, cluster, box, whole, code, mahalanobis_distance, values);
+  return values;
+}
+
+void ComputeClusterFeatures(const ClusterScene& scene, const CellCluster& cluster,
+                            const OrientedBox& box, const WholeCluster& whole,
+                            const Eigen::VectorXd& code, double mahalanobis_distance,
+                            Eigen::RowVectorXf& values) {
   if (cluster.cells.empty())
     throw std::invalid_argument("cluster_features: the cluster has no cells");
   const PlacedCluster placed(scene, cluster, box);
-  Eigen::RowVectorXf values(ClusterFeatureCount(scene.segmented.iron, code.size()));
+  values.resize(ClusterFeatureCount(scene.segmented.iron, code.size()));
   FeatureRow row(values);
   row.Add(std::log(static_cast<double>(cluster.cells.size())),
           std::log(std::max(mahalanobis_distance, kMinDistance)));
@@ -46,10 +56,9 @@ Eigen::RowVectorXf ComputeClusterFeatures(const ClusterScene& scene, const CellC
   AddSurroundings(placed, row);
   AddWhole(PlacedCluster(scene, whole.cluster, whole.box), cluster.cells.size(), row);
   AddLayers(placed, row);
-  values.segment(kClusterShapeFeatures, 2 * scene.segmented.iron.dimension()) =
-      MeanAndDeviation(cluster.descriptors);
+  AddMeanAndDeviation(cluster.MemberDescriptors(),
+                      values.segment(kClusterShapeFeatures, 2 * scene.segmented.iron.dimension()));
   values.tail(code.size()) = code.transpose().cast<float>();
-  return values;
 }
 
 }  // namespace fallen

@@ -64,5 +64,10 @@ struct WholeCluster {
 Eigen::RowVectorXf ComputeClusterFeatures(const ClusterScene& scene, const CellCluster& cluster,
                                           const OrientedBox& box, const WholeCluster& whole,
                                           const Eigen::VectorXd& code, double mahalanobis_distance);
+/// Likewise, into memory that is there.
+void ComputeClusterFeatures(const ClusterScene& scene, const CellCluster& cluster,
+                            const OrientedBox& box, const WholeCluster& whole,
+                            const Eigen::VectorXd& code, double mahalanobis_distance,
+                            Eigen::RowVectorXf& values);
 
 }  // namespace fallen

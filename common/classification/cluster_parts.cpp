@@ -6,9 +6,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 
-#include "fallen/segmentation/dbscan.hpp"
+#include "fallen/geometry/kept_vector.hpp"
 
 namespace fallen {
 namespace {
@@ -24,27 +23,18 @@ constexpr double kMinDeviation = 0.25;  // [m], of members that are worth a cut
 constexpr int kCuts = 2;                // one after the other: halves, quarters
 constexpr int kMeansSteps = 15;
 
-using Members = std::vector<std::int32_t>;  // positions in the cluster
+using Members = KeptVector<std::int32_t>;  // positions in the cluster
 using Centers = std::array<Eigen::Vector2d, 2>;
 
-CellCluster Take(const CellCluster& cluster, const Members& members) {
-  CellCluster part;
-  part.cells.reserve(members.size());
-  part.descriptors.resize(static_cast<Eigen::Index>(members.size()), cluster.descriptors.cols());
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    part.cells.push_back(cluster.cells[members[k]]);
-    part.descriptors.row(static_cast<Eigen::Index>(k)) = cluster.descriptors.row(members[k]);
-  }
-  return part;
-}
+}  // namespace
 
-class PartFinder {
+class ClusterPartFinder::Search {
  public:
-  PartFinder(const SegmentedMap& segmented, const CellCluster& cluster)
-      : segmented_(segmented), cluster_(cluster) {}
+  Search(const SegmentedMap& segmented, const CellCluster& cluster, ClusterPartFinder& found)
+      : segmented_(segmented), cluster_(cluster), found_(found) {}
 
   void CutByScore() {
-    std::vector<float> scores;
+    KeptVector<float> scores;
     for (std::size_t k = 0; k < cluster_.cells.size(); ++k) scores.push_back(Member(k).score);
     const auto high = scores.begin() + static_cast<std::ptrdiff_t>(
                                            kHighQuantile * static_cast<double>(scores.size() - 1));
@@ -53,12 +43,11 @@ class PartFinder {
   }
 
   void CutByPlace() {
-    Members all(cluster_.cells.size());
+    Members all;
+    all.resize(cluster_.cells.size());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
     Halve(all, kCuts);
   }
-
-  std::vector<CellCluster> parts;
 
  private:
   const ScoredCell& Member(std::size_t k) const { return segmented_.cells[cluster_.cells[k]]; }
@@ -69,33 +58,43 @@ class PartFinder {
   void Add(const Members& members) {
     const auto most = kMaxShare * static_cast<double>(cluster_.cells.size());
     if (members.size() < kMinCells || static_cast<double>(members.size()) > most) return;
-    parts.push_back(Take(cluster_, members));
+    found_.members_.insert(found_.members_.end(), members.begin(), members.end());
+    found_.ends_.push_back(found_.members_.size());
   }
 
   void TakeScoresFrom(float min_score) {
-    Members members;
-    std::vector<Eigen::Vector3f> points;
+    Members members, sizes;
+    KeptVector<Eigen::Vector3f> points;
     for (std::size_t k = 0; k < cluster_.cells.size(); ++k) {
       if (Member(k).score < min_score) continue;
       members.push_back(static_cast<std::int32_t>(k));
       points.push_back(Member(k).cell.mean);
     }
     const auto epsilon_m = static_cast<float>(kEpsilonInCells * segmented_.cell_size_m);
-    const std::vector<std::int32_t> labels = Dbscan(points, epsilon_m, kMinPoints);
-    std::vector<Members> groups;
-    for (std::size_t p = 0; p < labels.size(); ++p) {
-      if (labels[p] == kNoise) continue;
-      groups.resize(std::max(groups.size(), static_cast<std::size_t>(labels[p]) + 1));
-      groups[labels[p]].push_back(members[p]);
+    const std::vector<std::int32_t>& labels =
+        found_.clusterer_.Label(points, epsilon_m, kMinPoints);
+    for (const std::int32_t label : labels) {
+      if (label == kNoise) continue;
+      if (static_cast<std::size_t>(label) >= sizes.size()) sizes.resize(label + 1, 0);
+      ++sizes[label];
     }
-    for (const Members& group : groups) Add(group);
+    Members group;
+    for (std::size_t label = 0; label < sizes.size(); ++label) {
+      if (static_cast<std::size_t>(sizes[label]) < kMinCells) continue;
+      group.clear();
+      for (std::size_t p = 0; p < labels.size(); ++p)
+        if (labels[p] == static_cast<std::int32_t>(label)) group.push_back(members[p]);
+      Add(group);
+    }
   }
 
   void Halve(const Members& members, int cuts) {
     if (cuts == 0 || members.size() < 2 * kMinCells) return;
     const std::optional<Centers> start = OneDeviationApart(members);
     if (!start) return;
-    for (const Members& half : TwoMeans(members, *start)) {
+    std::array<Members, 2> halves;
+    TwoMeans(members, *start, halves);
+    for (const Members& half : halves) {
       Add(half);
       Halve(half, cuts - 1);
     }
@@ -119,8 +118,7 @@ class PartFinder {
     return Centers{mean + step, mean - step};
   }
 
-  std::array<Members, 2> TwoMeans(const Members& members, Centers centers) const {
-    std::array<Members, 2> halves;
+  void TwoMeans(const Members& members, Centers centers, std::array<Members, 2>& halves) const {
     for (int i = 0; i < kMeansSteps; ++i) {
       Centers sums = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
       for (Members& half : halves) half.clear();
@@ -133,22 +131,30 @@ class PartFinder {
       for (int h = 0; h < 2; ++h)
         if (!halves[h].empty()) centers[h] = sums[h] / static_cast<double>(halves[h].size());
     }
-    return halves;
   }
 
   const SegmentedMap& segmented_;
   const CellCluster& cluster_;
+  ClusterPartFinder& found_;
 };
 
-}  // namespace
+void ClusterPartFinder::Find(const SegmentedMap& segmented, const CellCluster& cluster,
+                             const OrientedBox& box) {
+  members_.clear();
+  ends_.clear();
+  if (cluster.cells.size() < kMinCells) return;
+  Search search(segmented, cluster, *this);
+  search.CutByScore();
+  if (box.size.x() > kPersonLength_m || box.size.y() > kPersonWidth) search.CutByPlace();
+}
 
-std::vector<CellCluster> FindClusterParts(const SegmentedMap& segmented, const CellCluster& cluster,
-                                          const OrientedBox& box) {
-  if (cluster.cells.size() < kMinCells) return {};
-  PartFinder finder(segmented, cluster);
-  finder.CutByScore();
-  if (box.size.x() > kPersonLength_m || box.size.y() > kPersonWidth) finder.CutByPlace();
-  return std::move(finder.parts);
+void TakeMembers(const CellCluster& cluster, std::span<const std::int32_t> members,
+                 CellCluster& part) {
+  part.cells.clear();
+  for (const std::int32_t k : members) part.cells.push_back(cluster.cells[k]);
+  GrowDescriptors(part, cluster.descriptors.cols());
+  for (std::size_t k = 0; k < members.size(); ++k)
+    part.descriptors.row(static_cast<Eigen::Index>(k)) = cluster.descriptors.row(members[k]);
 }
 
 }  // namespace fallen

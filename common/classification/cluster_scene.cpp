@@ -8,14 +8,15 @@ namespace fallen {
 
 ClusterScene::ClusterScene(const SegmentedMap& map) : segmented(map) {
   if (!map.ground.ok()) throw std::invalid_argument("cluster_features: the map has no floor");
-  std::vector<NdtCell> members;
+  KeptVector<NdtCell> members;
   heights_m.reserve(map.cells.size());
   for (const ScoredCell& scored : map.cells) {
     if (scored.cluster >= 0) members.push_back(scored.cell);
     heights_m.push_back(
         static_cast<float>(map.ground.plane.SignedHeight(scored.cell.mean.cast<double>())));
   }
-  const std::vector<CellNormal> of_members = ComputeNormals(members, map.iron);
+  KeptVector<CellNormal> of_members;
+  ComputeNormals(members, map.iron, of_members);
   normals.resize(map.cells.size());
   auto next = of_members.begin();
   for (std::size_t i = 0; i < normals.size(); ++i)

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
+#include "fallen/geometry/kept_vector.hpp"
 #include "fallen/iron/iron_descriptor.hpp"
 #include "fallen/segmentation/cell_segmentation.hpp"
 
@@ -17,8 +16,8 @@ struct ClusterScene {
   explicit ClusterScene(const SegmentedMap& segmented);
 
   const SegmentedMap& segmented;
-  std::vector<float> heights_m;     ///< of the cells' means above the floor
-  std::vector<CellNormal> normals;  ///< of the cells that belong to a cluster
+  KeptVector<float> heights_m;     ///< of the cells' means above the floor
+  KeptVector<CellNormal> normals;  ///< of the cells that belong to a cluster
 };
 
 }  // namespace fallen

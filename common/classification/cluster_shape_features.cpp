@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "fallen/classification/cluster_feature_blocks.hpp"
+#include "fallen/geometry/kept_vector.hpp"
 
 namespace fallen {
 namespace {
@@ -26,7 +26,7 @@ double& Bin(std::array<double, Size>& bins, double position) {
 }
 
 void AddHeights(const PlacedCluster& cluster, FeatureRow& row) {
-  std::vector<float> heights;
+  KeptVector<float> heights;
   for (const PlacedCell& cell : cluster.cells) heights.push_back(cell.height);
   std::sort(heights.begin(), heights.end());
   const auto count = static_cast<double>(heights.size());
@@ -47,7 +47,7 @@ void AddHeights(const PlacedCluster& cluster, FeatureRow& row) {
 
 // What the members cover on the floor [m^2].
 double FootprintArea(const PlacedCluster& cluster) {
-  std::vector<std::pair<int, int>> footprint;
+  KeptVector<std::pair<int, int>> footprint;
   footprint.reserve(cluster.cells.size());
   for (const PlacedCell& cell : cluster.cells)
     footprint.emplace_back(static_cast<int>(std::floor(cell.along / kFootprintRaster)),
@@ -109,7 +109,7 @@ void AddSteps(const PlacedCluster& cluster, FeatureRow& row) {
 }
 
 void AddScores(const PlacedCluster& cluster, FeatureRow& row) {
-  std::vector<float> scores;
+  KeptVector<float> scores;
   double positive = 0;
   for (const PlacedCell& cell : cluster.cells) {
     scores.push_back(cell.score);

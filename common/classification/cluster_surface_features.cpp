@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fallen/classification/cluster_feature_blocks.hpp"
+#include "fallen/geometry/kept_vector.hpp"
 
 namespace fallen {
 namespace {
@@ -29,7 +30,7 @@ void AddSurface(const PlacedCluster& cluster, FeatureRow& row) {
   const auto count = static_cast<double>(cluster.cells.size());
   std::array<double, kLayerCount * kCosineBins> inclinations{};
   std::array<double, kCosineBins> directions{};
-  std::vector<float> thicknesses;
+  KeptVector<float> thicknesses;
   double cosine_sum = 0, flatness_sum = 0, breadth_sum = 0, points_sum = 0, occupancy_sum = 0;
   int level = 0;
   for (const std::int32_t i : cluster.cluster.cells) {

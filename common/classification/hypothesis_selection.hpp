@@ -11,9 +11,9 @@
 namespace fallen {
 
 /// Sorts hypotheses by probability, likeliest first (ties: as they came), and drops each whose
-/// centroid lies nearer than `min_separation_m` [m], along the floor, to one that is kept.
-std::vector<PersonHypothesis> BestOfEachPlace(std::vector<PersonHypothesis> hypotheses,
-                                              double min_separation_m);
+/// centroid lies nearer than `min_separation_m` [m], along the floor, to one that is kept. In
+/// place.
+void KeepBestOfEachPlace(std::vector<PersonHypothesis>& hypotheses, double min_separation_m);
 
 /// The smallest upright box around points [m], as FitUprightBox of cells, and `margin_m` more on
 /// each side. @throws std::invalid_argument without points.

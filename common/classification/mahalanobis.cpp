@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "fallen/geometry/kept_vector.hpp"
+
 namespace fallen {
 namespace {
 
@@ -44,7 +46,12 @@ double MahalanobisModel::Distance(const Eigen::Ref<const Eigen::VectorXd>& code)
          std::to_string(mean_.size()));
   if (!code.allFinite()) Fail("a value of the code is not finite");
   // With covariance = L L', x' covariance^-1 x is the squared length of L^-1 x.
-  return lower_.triangularView<Eigen::Lower>().solve(code - mean_).norm();
+  KeptVector<double> memory;
+  memory.resize(code.size());
+  Eigen::Map<Eigen::VectorXd> solved(memory.data(), code.size());
+  solved = code - mean_;
+  lower_.triangularView<Eigen::Lower>().solveInPlace(solved);
+  return solved.norm();
 }
 
 MahalanobisFit FitMahalanobis(const Eigen::Ref<const Eigen::MatrixXd>& codes) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fallen/classification/cluster_feature_blocks.hpp"
+#include "fallen/geometry/kept_vector.hpp"
 
 namespace fallen {
 namespace {
@@ -43,7 +44,7 @@ MainAxis FindMainAxis(const std::vector<Eigen::Vector2d>& places) {
 
 PlacedCluster::PlacedCluster(const ClusterScene& s, const CellCluster& c, const OrientedBox& b)
     : scene(s), cluster(c), box(b), frame(Eigen::Vector2d::Zero(), Eigen::Vector2d::UnitX()) {
-  std::vector<Eigen::Vector2d> places;
+  KeptVector<Eigen::Vector2d> places;
   places.reserve(cluster.cells.size());
   for (const std::int32_t i : cluster.cells)
     places.push_back(scene.segmented.cells[i].cell.mean.head<2>().cast<double>());

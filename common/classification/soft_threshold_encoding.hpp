@@ -19,5 +19,8 @@ namespace fallen {
 /// @throws std::invalid_argument if the dimensions disagree or there is no row.
 Eigen::VectorXd EncodeCluster(const Eigen::Ref<const IronDescriptors::Matrix>& descriptors,
                               const Codebook& codebook, double alpha);
+/// Likewise, into memory that is there.
+void EncodeCluster(const Eigen::Ref<const IronDescriptors::Matrix>& descriptors,
+                   const Codebook& codebook, double alpha, Eigen::VectorXd& code);
 
 }  // namespace fallen

@@ -4,29 +4,31 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <vector>
 
 #include "fallen/classification/hypothesis_selection.hpp"
+#include "fallen/geometry/kept_vector.hpp"
 
 namespace fallen {
 namespace {
 
-using Points2 = std::vector<Eigen::Vector2d>;
+using Points2 = KeptVector<Eigen::Vector2d>;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Corners counter-clockwise, by Andrew's monotone chain; one point if all are the same, two if all
-// lie on a line.
-Points2 ConvexHull(Points2 points) {
+// Finds the corners counter-clockwise, by Andrew's monotone chain; one point if all are the same,
+// two if all lie on a line. Sorts the points.
+void FindConvexHull(Points2& points, Points2& hull) {
   const auto is_less = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   };
   std::sort(points.begin(), points.end(), is_less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Points2 hull;
+  if (points.size() < 3) {
+    hull.assign(points.begin(), points.end());
+    return;
+  }
   const auto add_chain = [&](auto begin, auto end) {
     const std::size_t bottom = hull.size() + 1;
     for (auto point = begin; point != end; ++point) {
@@ -39,7 +41,6 @@ Points2 ConvexHull(Points2 points) {
   };
   add_chain(points.begin(), points.end());
   add_chain(points.rbegin(), points.rend());
-  return hull;
 }
 
 struct Rectangle {
@@ -79,7 +80,7 @@ Rectangle SmallestRectangle(const Points2& hull, double margin) {
 }  // namespace
 
 OrientedBox FitUprightBox(const SegmentedMap& segmented, const CellCluster& cluster) {
-  std::vector<Eigen::Vector3d> means;
+  KeptVector<Eigen::Vector3d> means;
   means.reserve(cluster.cells.size());
   for (const std::int32_t index : cluster.cells)
     means.push_back(segmented.cells[index].cell.mean.cast<double>());
@@ -91,14 +92,15 @@ OrientedBox FitUprightBox(std::span<const Eigen::Vector3d> points, double margin
     throw std::invalid_argument("cluster_classification: the cluster has no cells");
   double low = points[0].z();
   double high = low;
-  Points2 ground;
+  Points2 ground, hull;
   ground.reserve(points.size());
   for (const Eigen::Vector3d& point : points) {
     ground.push_back(point.head<2>());
     low = std::min(low, point.z());
     high = std::max(high, point.z());
   }
-  Rectangle rectangle = SmallestRectangle(ConvexHull(std::move(ground)), margin);
+  FindConvexHull(ground, hull);
+  Rectangle rectangle = SmallestRectangle(hull, margin);
   if (rectangle.size.x() < rectangle.size.y()) {
     rectangle.size = rectangle.size.reverse().eval();
     rectangle.x_axis = {-rectangle.x_axis.y(), rectangle.x_axis.x()};

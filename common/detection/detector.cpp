@@ -45,7 +45,8 @@ Detector::Detector(Model model, const DetectorConfig& config, BackgroundSubtract
       config_(config),
       background_(std::move(background)),
       mapper_(config.ndt),
-      segmenter_(Validated(model_).cells, config.segmentation) {
+      segmenter_(Validated(model_).cells, config.segmentation),
+      classifier_(model_.clusters) {
   config_.Validate();
   CheckTheyFit(model_, config_, background_);
 }
@@ -72,7 +73,7 @@ void Detector::Detect(const Frame& frame, FrameResult& result) {
   times.cells = segmentation.cells;
 
   stage.LapMilliseconds();
-  ClassifyClusters(result.segmented, model_.clusters, config_.classification, result.decision);
+  classifier_.Classify(result.segmented, config_.classification, result.decision);
   times.clusters = segmentation.clusters + stage.LapMilliseconds();
 
   times.total = total.LapMilliseconds();

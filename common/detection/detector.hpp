@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fallen/classification/cluster_classification.hpp"
+#include "fallen/classification/cluster_classifier.hpp"
 #include "fallen/detection/frame.hpp"
 #include "fallen/detection/map_update.hpp"
 #include "fallen/detection/model.hpp"
@@ -47,8 +47,7 @@ class Detector {
   /// then.
   FrameResult Detect(const Frame& frame);
   /// Likewise, into memory that is there: given the same `result` frame after frame, nothing is
-  /// allocated once the memory is large enough, but for clusters, which allocate while they are
-  /// made and judged, and for the search of a floor in the image.
+  /// allocated once the memory is large enough, but for the search of a floor in the image.
   void Detect(const Frame& frame, FrameResult& result);
 
  private:
@@ -57,6 +56,7 @@ class Detector {
   BackgroundSubtractor background_;
   NdtMapper mapper_;
   CellSegmenter segmenter_;
+  ClusterClassifier classifier_;
 };
 
 }  // namespace fallen

@@ -35,7 +35,7 @@ std::vector<std::vector<float>> DescriptorsToMessage(const SegmentedMap& segment
     const CellCluster& members = segmented.clusters[cluster];
     const std::size_t row = next[cluster]++;
     if (row >= members.cells.size() || members.cells[row] != static_cast<std::int32_t>(i) ||
-        static_cast<std::size_t>(members.descriptors.rows()) != members.cells.size() ||
+        static_cast<std::size_t>(members.descriptors.rows()) < members.cells.size() ||
         members.descriptors.cols() != dimension)
       checks::Fail("clusters_t.descriptor",
                    "cluster " + std::to_string(cluster) + " without cell " + std::to_string(i),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "fallen/segmentation/cell_segmenter.hpp"
 
@@ -56,6 +57,12 @@ void TakeForegroundOnly(const ForegroundMap& foreground, NdtMap& map) {
 }
 
 }  // namespace
+
+void GrowDescriptors(CellCluster& cluster, Eigen::Index dimension) {
+  const auto rows = static_cast<Eigen::Index>(cluster.cells.size());
+  if (cluster.descriptors.rows() < rows || cluster.descriptors.cols() != dimension)
+    cluster.descriptors.resize(rows, dimension);
+}
 
 void CellModel::Validate() const {
   if (!(cell_size_m > 0) || !std::isfinite(cell_size_m))
@@ -144,6 +151,15 @@ void CellSegmenter::WriteCells(const NdtMap& visible, const GroundEstimate& grou
   }
 }
 
+// An empty cluster, in the memory of an old one if there is any.
+CellCluster& CellSegmenter::AddCluster(std::vector<CellCluster>& clusters) {
+  if (spare_clusters_.empty()) return clusters.emplace_back();
+  clusters.push_back(std::move(spare_clusters_.back()));
+  spare_clusters_.pop_back();
+  clusters.back().cells.clear();
+  return clusters.back();
+}
+
 // Makes clusters of the cells that are grouped, where the groups are large enough.
 void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMap& segmented) {
   std::vector<ScoredCell>& cells = segmented.cells;
@@ -164,13 +180,14 @@ void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMa
     if (static_cast<std::size_t>(label) >= group_sizes_.size()) group_sizes_.resize(label + 1, 0);
     ++group_sizes_[label];
   }
+  for (CellCluster& cluster : segmented.clusters) spare_clusters_.push_back(std::move(cluster));
   segmented.clusters.clear();
   cluster_of_group_.clear();
   for (const std::int32_t size : group_sizes_) {
     const bool is_cluster = size >= config_.min_cluster_cells;
     cluster_of_group_.push_back(is_cluster ? static_cast<std::int32_t>(segmented.clusters.size())
                                            : -1);
-    if (is_cluster) segmented.clusters.emplace_back().cells.reserve(size);
+    if (is_cluster) AddCluster(segmented.clusters).cells.reserve(size);
   }
   for (std::size_t c = 0; c < labels.size(); ++c) {
     if (labels[c] == kNoise || cluster_of_group_[labels[c]] < 0) continue;
@@ -178,8 +195,7 @@ void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMa
     segmented.clusters[cluster_of_group_[labels[c]]].cells.push_back(candidates_[c]);
   }
   for (CellCluster& cluster : segmented.clusters) {
-    cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()),
-                               descriptors.values.cols());
+    GrowDescriptors(cluster, descriptors.values.cols());
     for (std::size_t k = 0; k < cluster.cells.size(); ++k)
       cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
           descriptors.values.row(described_[cluster.cells[k]]);

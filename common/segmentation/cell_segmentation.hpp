@@ -63,8 +63,16 @@ struct ScoredCell {
 /// Cells that most likely are one object, most likely a person.
 struct CellCluster {
   std::vector<std::int32_t> cells;      ///< indices into `SegmentedMap::cells`, ascending
-  IronDescriptors::Matrix descriptors;  ///< one row a member, the same order
+  IronDescriptors::Matrix descriptors;  ///< one row a member, the same order; more mean nothing
+
+  /// The members' rows.
+  auto MemberDescriptors() const {
+    return descriptors.topRows(static_cast<Eigen::Index>(cells.size()));
+  }
 };
+
+/// Gives `cluster` room for the descriptors of its members, in memory that is there if it suffices.
+void GrowDescriptors(CellCluster& cluster, Eigen::Index dimension);
 
 /// What the segmentation leaves of a map.
 struct SegmentedMap {

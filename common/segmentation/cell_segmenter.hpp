@@ -34,6 +34,7 @@ class CellSegmenter {
   void SmoothScores();
   void WriteCells(const NdtMap& visible, const GroundEstimate& ground,
                   std::vector<ScoredCell>& cells);
+  CellCluster& AddCluster(std::vector<CellCluster>& clusters);
   void ClusterCells(const IronDescriptors& descriptors, SegmentedMap& segmented);
 
   SegmentationConfig config_;
@@ -56,6 +57,7 @@ class CellSegmenter {
   std::vector<Eigen::Vector3f> candidate_means_;
   std::vector<std::int32_t> group_sizes_;
   std::vector<std::int32_t> cluster_of_group_;  // -1: too small
+  std::vector<CellCluster> spare_clusters_;     // of earlier frames
 };
 
 }  // namespace fallen

@@ -4,7 +4,7 @@
 
 #include <lcm/lcm-cpp.hpp>
 
-#include "fallen/classification/cluster_classification.hpp"
+#include "fallen/classification/cluster_classifier.hpp"
 #include "fallen/clusters_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/service/stage_loop.hpp"
@@ -21,10 +21,11 @@ class ClusterClassificationService {
   StageLoop& loop() { return loop_; }
 
  private:
-  fallen_persons_t Classify(const clusters_t& message) const;
+  fallen_persons_t Classify(const clusters_t& message);
 
-  ClusterModel model_;
+  ClusterClassifier classifier_;
   ClassificationConfig config_;
+  Decision decision_;  // of the newest frame, for its memory
   StageLoop loop_;
 };
 

@@ -17,7 +17,8 @@ ClusterSamples SampleFrame(const ObservedFrame& frame, const CellModel& cells,
   const SegmentedMap segmented = SegmentObserved(frame, cells, config);
   samples.features.resize(0, ClusterFeatureCount(model.iron, model.codebook.rows()));
   if (!segmented.ground.ok()) return samples;
-  const std::vector<ClusterCandidate> candidates = ClustersAndParts(segmented, model);
+  CandidateFinder finder;
+  const std::span<const ClusterCandidate> candidates = finder.ClustersAndParts(segmented, model);
   samples.features.resize(static_cast<Eigen::Index>(candidates.size()), Eigen::NoChange);
   for (const ClusterCandidate& candidate : candidates) {
     samples.features.row(static_cast<Eigen::Index>(samples.labels.size())) = candidate.features;

@@ -55,7 +55,7 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
         SegmentObserved(isolates ? IsolatePerson(*frames[i]) : *frames[i], cells, config);
     for (const CellCluster& cluster : segmented.clusters)
       if (IsPerson(segmented, cluster, frames[i]->person_box, config.sampling.min_person_share))
-        codes[i].push_back(EncodeCluster(cluster.descriptors, model.codebook, model.alpha));
+        codes[i].push_back(EncodeCluster(cluster.MemberDescriptors(), model.codebook, model.alpha));
   });
   for (const auto& part : codes) training.person_clusters += static_cast<std::int64_t>(part.size());
   if (training.person_clusters < 2)
@@ -104,8 +104,11 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
   ParallelFor(static_cast<int>(frames.size()), jobs, [&](int i) {
     Judged& frame = judged[i];
     frame.segmented = SegmentObserved(*frames[i], cells, config);
-    const std::vector<ClusterCandidate> candidates = FindCandidates(frame.segmented, model);
-    frame.evidence = ClusterEvidence(candidates, model);
+    CandidateFinder finder;
+    const std::span<const ClusterCandidate> candidates = finder.Find(frame.segmented, model);
+    EvidenceScorer scorer(model);
+    const std::span<const double> of_frame = scorer.Score(candidates);
+    frame.evidence.assign(of_frame.begin(), of_frame.end());
     for (const ClusterCandidate& candidate : candidates)
       frame.is_person.push_back(IsPerson(frame.segmented, candidate.cluster, frames[i]->person_box,
                                          config.sampling.min_person_share));

@@ -39,7 +39,12 @@ SegmentedMap Empty() {
 }
 
 std::vector<CellCluster> PartsOf(const SegmentedMap& map) {
-  return FindClusterParts(map, map.clusters[0], FitUprightBox(map, map.clusters[0]));
+  ClusterPartFinder finder;
+  finder.Find(map, map.clusters[0], FitUprightBox(map, map.clusters[0]));
+  std::vector<CellCluster> parts(finder.count());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    TakeMembers(map.clusters[0], finder.part(i), parts[i]);
+  return parts;
 }
 
 TEST(ClusterParts, CutThePersonFromWhatScoresLess) {
@@ -80,7 +85,9 @@ TEST(ClusterParts, DropCrumbs) {
   AddSheet(map, {0, 0}, 8, 6, 0.006F);
   AddSheet(map, {0.4F, 0}, 6, 6, 0.03F);  // 36 cells
   EXPECT_TRUE(PartsOf(map).empty());
-  EXPECT_TRUE(FindClusterParts(map, CellCluster{}, {}).empty());
+  ClusterPartFinder finder;
+  finder.Find(map, CellCluster{}, {});
+  EXPECT_EQ(finder.count(), 0U);
 }
 
 }  // namespace

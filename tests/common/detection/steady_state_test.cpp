@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "fallen/classification/cluster_features.hpp"
 #include "fallen/detection/detector.hpp"
 #include "heap_calls.hpp"
 #include "tests/tools/common/lying_scene.hpp"
@@ -27,12 +27,10 @@ std::vector<Frame> Drive() {
   return frames;
 }
 
-// Nobody is found, so that every stage runs on the person's cells up to the groups of them.
-DetectorConfig NoClusterIsLargeEnough(bool accumulate) {
+DetectorConfig MountedCamera(bool accumulate) {
   DetectorConfig config;
   config.ground.method = GroundMethod::kMounting;
   config.ndt.accumulate = accumulate;
-  config.segmentation.min_cluster_cells = std::numeric_limits<int>::max();
   return config;
 }
 
@@ -44,24 +42,40 @@ BackgroundSubtractor EmptyRoom(const DetectorConfig& config) {
   return BackgroundSubtractor(environment, config.background);
 }
 
-void ExpectNoHeapCallInTheSteadyState(const DetectorConfig& config,
-                                      BackgroundSubtractor background) {
+// Judges clusters by trees, and so their parts too, as the shipped model does.
+Model ModelWithClusterTrees() {
+  Model model = PlainModel();
+  model.clusters.trees.feature_count =
+      ClusterFeatureCount(model.clusters.iron, model.clusters.codebook.rows());
+  model.clusters.trees.roots = {0};
+  model.clusters.trees.nodes = {{0, 4, 1, 0}, {-1, 0, 0, 0.5F}, {-1, 0, 0, 1}};
+  return model;
+}
+
+void ExpectNoHeapCallInTheSteadyState(const DetectorConfig& config, BackgroundSubtractor background,
+                                      Model model) {
   if (!test::HeapCalls()) GTEST_SKIP() << "the sanitizer has the heap for itself";
   std::vector<Frame> frames = Drive();
-  Detector detector(PlainModel(), config, std::move(background));
+  Detector detector(std::move(model), config, std::move(background));
   FrameResult result;
   std::int64_t utime = 0;
   const auto drive = [&] {
+    std::size_t hypotheses = 0;
     for (Frame& frame : frames) {
       frame.utime = utime += kPeriod_us;
       detector.Detect(frame, result);
+      hypotheses += result.decision.hypotheses.size();
     }
+    return hypotheses;
   };
   for (int round = 0; round < kWarmUpRounds; ++round) drive();
   const std::size_t before = *test::HeapCalls();
-  for (int round = 0; round < kCountedRounds; ++round) drive();
+  std::size_t hypotheses = 0;
+  for (int round = 0; round < kCountedRounds; ++round) hypotheses += drive();
   EXPECT_EQ(*test::HeapCalls() - before, 0u);
-  EXPECT_GT(result.segmented.cells.size(), 50u) << "there is something to see";
+  EXPECT_GE(hypotheses, kCountedRounds * frames.size()) << "clusters are made and judged";
+  ASSERT_FALSE(result.segmented.clusters.empty());
+  EXPECT_GE(result.segmented.clusters[0].cells.size(), 80u) << "large enough for parts";
 }
 
 TEST(SteadyState, HeapCallsAreCounted) {
@@ -75,12 +89,14 @@ TEST(SteadyState, HeapCallsAreCounted) {
 }
 
 TEST(SteadyState, TakesNoMemoryWithAFreshMapEveryFrame) {
-  ExpectNoHeapCallInTheSteadyState(NoClusterIsLargeEnough(false), BackgroundSubtractor());
+  const DetectorConfig config = MountedCamera(false);
+  ExpectNoHeapCallInTheSteadyState(config, BackgroundSubtractor(), ModelWithClusterTrees());
+  ExpectNoHeapCallInTheSteadyState(config, BackgroundSubtractor(), PlainModel());
 }
 
 TEST(SteadyState, TakesNoMemoryWithAccumulationAndBackgroundSubtraction) {
-  const DetectorConfig config = NoClusterIsLargeEnough(true);
-  ExpectNoHeapCallInTheSteadyState(config, EmptyRoom(config));
+  const DetectorConfig config = MountedCamera(true);
+  ExpectNoHeapCallInTheSteadyState(config, EmptyRoom(config), ModelWithClusterTrees());
 }
 
 }  // namespace
