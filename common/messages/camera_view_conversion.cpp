@@ -36,8 +36,9 @@ CameraView ViewFromMessage(const std::string& field, const camera_view_t& messag
   checks::Count(field + ".count", message.count, message.depth_mm.size());
   const std::int64_t blocks = std::int64_t{message.width} * message.height;
   checks::InRange(field + ".count", message.count, blocks, blocks);
+  const std::string depth_field = field + ".depth_mm";
   for (const std::int16_t depth : message.depth_mm)
-    checks::InRange(field + ".depth_mm", depth, 0, kMaxViewDepth_mm);
+    checks::InRange(depth_field, depth, 0, kMaxViewDepth_mm);
   view.intrinsics = {message.width, message.height, message.fx, message.fy, message.cx, message.cy};
   view.depth_mm.assign(message.depth_mm.begin(), message.depth_mm.end());
   return view;

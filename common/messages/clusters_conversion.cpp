@@ -14,6 +14,20 @@ namespace {
 
 const std::string kClusters = "clusters_t";
 
+// All but cells, clusters and what the conversions of the parts check.
+void CheckScalars(const clusters_t& message) {
+  FromMessage(message.header);
+  CheckCellSize(kClusters, message.cell_size_m);
+  checks::InRange(kClusters + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
+  checks::InRange(kClusters + ".background_status", message.background_status, 0,
+                  static_cast<int>(BackgroundStatus::kNoPose));
+}
+
+[[noreturn]] void FailEmptyCluster(std::size_t cluster) {
+  checks::Fail("clusters_t.cluster", "no cell in cluster " + std::to_string(cluster),
+               "clusters without gaps");
+}
+
 std::vector<NdtCell> Cells(const SegmentedMap& segmented) {
   std::vector<NdtCell> cells;
   cells.reserve(segmented.cells.size());
@@ -21,17 +35,17 @@ std::vector<NdtCell> Cells(const SegmentedMap& segmented) {
   return cells;
 }
 
-// Descriptors in the order of the cells; that each cluster lists its own cells is checked on the
-// way.
+// Descriptors in the order of the cells; that each cluster lists its own cells, and has some, is
+// checked on the way.
 std::vector<std::vector<float>> DescriptorsToMessage(const SegmentedMap& segmented, int dimension) {
   std::vector<std::vector<float>> rows;
   std::vector<std::size_t> next(segmented.clusters.size(), 0);
   for (std::size_t i = 0; i < segmented.cells.size(); ++i) {
     const std::int32_t cluster = segmented.cells[i].cluster;
-    if (cluster < 0) continue;
-    if (static_cast<std::size_t>(cluster) >= segmented.clusters.size())
+    if (cluster == -1) continue;
+    if (cluster < 0 || static_cast<std::size_t>(cluster) >= segmented.clusters.size())
       checks::Fail("clusters_t.cluster", std::to_string(cluster),
-                   "less than " + std::to_string(segmented.clusters.size()));
+                   "-1 or less than " + std::to_string(segmented.clusters.size()));
     const CellCluster& members = segmented.clusters[cluster];
     const std::size_t row = next[cluster]++;
     if (row >= members.cells.size() || members.cells[row] != static_cast<std::int32_t>(i) ||
@@ -42,13 +56,16 @@ std::vector<std::vector<float>> DescriptorsToMessage(const SegmentedMap& segment
                    "each cluster's cells, ascending, with a descriptor each");
     const auto values = members.descriptors.row(static_cast<Eigen::Index>(row));
     rows.emplace_back(values.data(), values.data() + dimension);
+    checks::AllFinite("clusters_t.descriptor", std::span<const float>(rows.back()));
   }
-  for (std::size_t c = 0; c < next.size(); ++c)
+  for (std::size_t c = 0; c < next.size(); ++c) {
+    if (next[c] == 0) FailEmptyCluster(c);
     if (next[c] != segmented.clusters[c].cells.size())
       checks::Fail("clusters_t.cluster",
                    std::to_string(segmented.clusters[c].cells.size()) + " cells in cluster " +
                        std::to_string(c),
                    std::to_string(next[c]) + ", those that name it");
+  }
   return rows;
 }
 
@@ -66,9 +83,7 @@ std::vector<CellCluster> ClustersFromMessage(const clusters_t& message) {
     clusters[cluster].cells.push_back(static_cast<std::int32_t>(i));
   }
   for (std::size_t c = 0; c < clusters.size(); ++c)
-    if (clusters[c].cells.empty())
-      checks::Fail("clusters_t.cluster", "no cell in cluster " + std::to_string(c),
-                   "clusters without gaps");
+    if (clusters[c].cells.empty()) FailEmptyCluster(c);
   return clusters;
 }
 
@@ -105,25 +120,25 @@ clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
   message.ground = GroundToMessage(segmented.ground);
   message.background_status = static_cast<std::int32_t>(segmented.background);
   message.iron = IronToMessage(segmented.iron);
-  message.cells = CellsToMessage(Cells(segmented));
+  CheckScalars(message);
+  TransformFromMessage(kClusters + ".T_map_camera", message.T_map_camera);
+  const std::vector<NdtCell> cells = Cells(segmented);
+  CheckNearCamera(kClusters, cells, segmented.T_map_camera);
+  message.cells = CellsToMessage(cells);
   message.cell_count = message.cells.count;
   for (const ScoredCell& scored : segmented.cells) {
+    checks::Score("clusters_t.score", scored.score);
     message.score.push_back(scored.score);
     message.cluster.push_back(scored.cluster);
   }
   message.dimension = segmented.iron.dimension();
   message.descriptor = DescriptorsToMessage(segmented, message.dimension);
   message.descriptor_count = static_cast<std::int32_t>(message.descriptor.size());
-  FromMessage(message);
   return message;
 }
 
 SegmentedMap FromMessage(const clusters_t& message) {
-  FromMessage(message.header);
-  CheckCellSize(kClusters, message.cell_size_m);
-  checks::InRange(kClusters + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
-  checks::InRange(kClusters + ".background_status", message.background_status, 0,
-                  static_cast<int>(BackgroundStatus::kNoPose));
+  CheckScalars(message);
   SegmentedMap segmented;
   segmented.cell_size_m = message.cell_size_m;
   segmented.frame = static_cast<MapFrame>(message.frame);

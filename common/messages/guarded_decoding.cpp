@@ -32,20 +32,26 @@ std::string HashText(std::uint64_t hash) {
   return text.data();
 }
 
-// Why `bytes` are no message with this hash and layout; empty if they are one.
-std::string Examine(std::span<const std::uint8_t> bytes, std::int64_t hash,
-                    const wire::Layout& layout) {
-  const std::string name(layout.name);
+// Why `bytes` do not begin with this hash; empty if they do.
+std::string ExamineHash(std::span<const std::uint8_t> bytes, std::int64_t hash) {
   if (bytes.size() < kHashBytes)
-    return name + ": got " + std::to_string(bytes.size()) + " bytes, expected " +
+    return "got " + std::to_string(bytes.size()) + " bytes, expected " +
            std::to_string(kHashBytes) + " or more";
   if (bytes.size() > static_cast<std::size_t>(log_format::kMaxDataBytes))
-    return name + ": got " + std::to_string(bytes.size()) + " bytes, expected at most " +
+    return "got " + std::to_string(bytes.size()) + " bytes, expected at most " +
            std::to_string(log_format::kMaxDataBytes);
   const auto got = log_format::ReadBigEndian<std::uint64_t>(bytes.data());
   if (got != static_cast<std::uint64_t>(hash))
-    return name + ": got a message of another type (hash " + HashText(got) + "), expected " +
+    return "got a message of another type (hash " + HashText(got) + "), expected " +
            HashText(static_cast<std::uint64_t>(hash));
+  return {};
+}
+
+// Why `bytes` are no message with this hash and layout; empty if they are one.
+std::string Examine(std::span<const std::uint8_t> bytes, std::int64_t hash,
+                    const wire::Layout& layout) {
+  const std::string wrong = ExamineHash(bytes, hash);
+  if (!wrong.empty()) return std::string(layout.name) + ": " + wrong;
   return wire::Check(layout, bytes.subspan(kHashBytes));
 }
 
@@ -70,6 +76,21 @@ Decoded<Message> DecodeMessage(std::span<const std::uint8_t> bytes) noexcept {
     decoded.error = "out of memory";  // short enough to need none itself
   }
   return decoded;
+}
+
+std::optional<header_t> DecodeHeader(std::span<const std::uint8_t> bytes,
+                                     std::int64_t hash) noexcept {
+  try {
+    if (!ExamineHash(bytes, hash).empty()) return std::nullopt;
+    const auto content = bytes.subspan(kHashBytes);
+    if (!wire::CheckStart(wire::LayoutOf<header_t>(), content).empty()) return std::nullopt;
+    header_t header{};
+    if (header._decodeNoHash(content.data(), 0, static_cast<int>(content.size())) < 0)
+      return std::nullopt;
+    return header;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
 }
 
 template Decoded<pose_t> DecodeMessage(std::span<const std::uint8_t>) noexcept;

@@ -12,26 +12,26 @@ namespace fallen {
 namespace {
 
 const std::string kNdtMap = "ndt_map_t";
+const std::string kFlags = kNdtMap + ".is_foreground";
 const std::string kEnvironmentMap = "environment_map_t";
 
-ndt_map_t MapToMessage(const Header& header, const NdtMap& map) {
-  ndt_map_t message{};
-  message.header = ToMessage(header);
-  message.cell_size_m = map.cell_size_m;
-  message.frame = static_cast<std::int32_t>(map.frame);
-  TransformToMessage(map.T_map_camera, message.T_map_camera);
-  message.view = ViewToMessage(kNdtMap + ".view", map.view);
-  message.ground = GroundToMessage(map.ground);
-  message.cells = CellsToMessage(map.cells);
-  message.background_status = static_cast<std::int32_t>(BackgroundStatus::kNoEnvironmentMap);
-  return message;
+// All but the cells and the flags.
+void CheckScalars(const ndt_map_t& message) {
+  FromMessage(message.header);
+  CheckCellSize(kNdtMap, message.cell_size_m);
+  checks::InRange(kNdtMap + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
+}
+
+void CheckFlags(const ndt_map_t& message) {
+  checks::InRange(kNdtMap + ".background_status", message.background_status, 0,
+                  static_cast<int>(BackgroundStatus::kNoPose));
+  checks::Count(kNdtMap + ".flag_count", message.flag_count, message.is_foreground.size());
+  for (const std::uint8_t flag : message.is_foreground) checks::InRange(kFlags, flag, 0, 1);
 }
 
 // All but the flags.
 NdtMap CheckedMap(const ndt_map_t& message) {
-  FromMessage(message.header);
-  CheckCellSize(kNdtMap, message.cell_size_m);
-  checks::InRange(kNdtMap + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
+  CheckScalars(message);
   NdtMap map;
   map.cell_size_m = message.cell_size_m;
   map.frame = static_cast<MapFrame>(message.frame);
@@ -43,28 +43,31 @@ NdtMap CheckedMap(const ndt_map_t& message) {
   return map;
 }
 
-void CheckFlags(const ndt_map_t& message) {
-  checks::InRange(kNdtMap + ".background_status", message.background_status, 0,
-                  static_cast<int>(BackgroundStatus::kNoPose));
-  checks::Count(kNdtMap + ".flag_count", message.flag_count, message.is_foreground.size());
-  for (const std::uint8_t flag : message.is_foreground)
-    checks::InRange(kNdtMap + ".is_foreground", flag, 0, 1);
-}
-
 }  // namespace
 
 ndt_map_t ToMessage(const Header& header, const NdtMap& map) {
-  ndt_map_t message = MapToMessage(header, map);
-  NdtMapFromMessage(message);
+  ndt_map_t message{};
+  message.header = ToMessage(header);
+  message.cell_size_m = map.cell_size_m;
+  message.frame = static_cast<std::int32_t>(map.frame);
+  TransformToMessage(map.T_map_camera, message.T_map_camera);
+  message.view = ViewToMessage(kNdtMap + ".view", map.view);
+  message.ground = GroundToMessage(map.ground);
+  message.cells = CellsToMessage(map.cells);
+  message.background_status = static_cast<std::int32_t>(BackgroundStatus::kNoEnvironmentMap);
+  CheckScalars(message);
+  TransformFromMessage(kNdtMap + ".T_map_camera", message.T_map_camera);
+  CheckNearCamera(kNdtMap, map.cells, map.T_map_camera);
   return message;
 }
 
 ndt_map_t ToMessage(const Header& header, const ForegroundMap& foreground) {
-  ndt_map_t message = MapToMessage(header, foreground.map);
+  ndt_map_t message = ToMessage(header, foreground.map);
   message.background_status = static_cast<std::int32_t>(foreground.status);
   message.is_foreground = foreground.is_foreground;
   message.flag_count = static_cast<std::int32_t>(message.is_foreground.size());
-  ForegroundFromMessage(message);
+  CheckFlags(message);
+  checks::Count(kNdtMap + ".flag_count", message.flag_count, foreground.map.cells.size());
   return message;
 }
 

@@ -153,4 +153,10 @@ std::string Check(const Layout& layout, std::span<const std::uint8_t> bytes) {
   return walker.error();
 }
 
+std::string CheckStart(const Layout& layout, std::span<const std::uint8_t> bytes) {
+  Walker walker(bytes);
+  walker.Struct(layout);
+  return walker.error();
+}
+
 }  // namespace fallen::wire

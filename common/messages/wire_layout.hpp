@@ -67,4 +67,7 @@ const Layout& LayoutOf();
 /// @return Empty if the bytes are one whole message; else field, got, expected.
 std::string Check(const Layout& layout, std::span<const std::uint8_t> bytes);
 
+/// The same for bytes that only begin with such a struct.
+std::string CheckStart(const Layout& layout, std::span<const std::uint8_t> bytes);
+
 }  // namespace fallen::wire

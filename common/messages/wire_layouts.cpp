@@ -11,6 +11,7 @@
 #include "fallen/fall_alarm_t.hpp"
 #include "fallen/fallen_persons_t.hpp"
 #include "fallen/ground_truth_t.hpp"
+#include "fallen/header_t.hpp"
 #include "fallen/messages/wire_layout.hpp"
 #include "fallen/model_t.hpp"
 #include "fallen/ndt_map_t.hpp"
@@ -248,6 +249,10 @@ constexpr Layout kFallAlarmAck{"fall_alarm_ack_t", kFallAlarmAckFields};
 
 }  // namespace
 
+template <>
+const Layout& LayoutOf<header_t>() {
+  return kHeader;
+}
 template <>
 const Layout& LayoutOf<pose_t>() {
   return kPose;

@@ -61,12 +61,13 @@ class StageLoop {
   template <class In>
   void OnFrame(const std::string& channel, std::function<void(const In&)> handle) {
     Subscribe(channel, [this, channel, handle = std::move(handle)](auto bytes) {
+      // Another worker's frame is not worth the time to decode it.
+      const auto header = DecodeHeader(bytes, In::getHash());
+      if (header && !options_.worker.Takes(header->seq)) return Skip(*header);
       std::string error;
       auto message = Decode<In>(channel, bytes, error);
       if (!message) return reporter_.CountDamagedFrame(error);
-      reporter_.CountReceived(message->header.utime, message->header.seq,
-                              message->header.sensor_name);
-      if (!options_.worker.Takes(message->header.seq)) return reporter_.CountSkipped();
+      CountReceived(message->header);
       Queue({[message, handle] { handle(*message); }, bytes.size(), true});
     });
   }
@@ -139,6 +140,13 @@ class StageLoop {
     return nullptr;
   }
 
+  void CountReceived(const header_t& header) {
+    reporter_.CountReceived(header.utime, header.seq, header.sensor_name);
+  }
+  void Skip(const header_t& header) {
+    CountReceived(header);
+    reporter_.CountSkipped();
+  }
   void Subscribe(const std::string& channel, std::function<void(Bytes)> handle);
   void Queue(TaskQueue::Task task);
   void Handle(const std::function<void()>& work);

@@ -179,6 +179,29 @@ TYPED_TEST(GuardedDecoding, SurvivesRandomDamage) {
   EXPECT_GT(accepted, 0) << "damage to a value is no damage to the wire";
 }
 
+TEST(DecodeHeader, ReadsTheHeaderOfAWholeOrABrokenMessage) {
+  const ndt_map_t map = Sample<ndt_map_t>();
+  const Bytes bytes = EncodeMessage(map);
+  const std::size_t header_end = 8 + map.header._getEncodedSizeNoHash();
+  for (std::size_t size = 0; size <= bytes.size(); ++size) {
+    const auto header = DecodeHeader(std::span(bytes).first(size), ndt_map_t::getHash());
+    ASSERT_EQ(header.has_value(), size >= header_end) << size;
+    if (!header) continue;
+    EXPECT_EQ(header->utime, map.header.utime);
+    EXPECT_EQ(header->seq, map.header.seq);
+    EXPECT_EQ(header->sensor_name, map.header.sensor_name);
+  }
+}
+
+TEST(DecodeHeader, RefusesAnotherTypeAndHostileNames) {
+  Bytes bytes = EncodeMessage(Sample<ndt_map_t>());
+  EXPECT_FALSE(DecodeHeader(bytes, clusters_t::getHash()));
+  for (const int length : {0x00, 0x7F, 0xFF}) {
+    std::fill_n(bytes.begin() + 8 + 16, 4, static_cast<std::uint8_t>(length));  // of sensor_name
+    EXPECT_FALSE(DecodeHeader(bytes, ndt_map_t::getHash())) << length;
+  }
+}
+
 TEST(GuardedDecodingErrors, SayWhereAndWhat) {
   EXPECT_EQ(DecodeMessage<pose_t>(Bytes{1, 2}).error, "pose_t: got 2 bytes, expected 8 or more");
 

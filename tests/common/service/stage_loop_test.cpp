@@ -180,6 +180,21 @@ TEST_F(StageLoopTest, WorkerTakesItsShareAndCountsTheRest) {
   EXPECT_EQ(loop.reporter().Status().lost_upstream, 0);
 }
 
+TEST_F(StageLoopTest, WorkerDoesNotLookIntoFramesOfOthers) {
+  StageOptions options = Lossless();
+  options.worker = {1, 3};
+  StageLoop loop(lcm_, options);
+  Echo(loop);
+  for (int seq = 0; seq < 3; ++seq) {
+    std::vector<std::uint8_t> bytes = EncodeMessage(FrameNumber(seq));
+    bytes.pop_back();
+    lcm_.publish(kIn, bytes.data(), static_cast<unsigned>(bytes.size()));
+  }
+  Deliver();
+  EXPECT_EQ(loop.reporter().Status().skipped, 2);
+  EXPECT_EQ(loop.reporter().Status().dropped_damaged, 1) << "its own";
+}
+
 TEST_F(StageLoopTest, LosslessQueueIsBoundedAndCountsWhatHadToGo) {
   StageOptions options = Lossless();
   options.max_waiting_bytes = 3 * static_cast<std::size_t>(FrameNumber(0).getEncodedSize());
