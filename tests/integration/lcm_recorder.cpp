@@ -10,9 +10,9 @@ namespace fallen::testing_support {
 
 using std::chrono::milliseconds;
 
-LcmRecorder::LcmRecorder(const std::string& url) : lcm_(url) {
+LcmRecorder::LcmRecorder(const std::string& url, const std::string& channels) : lcm_(url) {
   if (!lcm_.good()) throw std::runtime_error("cannot open " + url);
-  lcm_.subscribe(".*", &LcmRecorder::Receive, this)->setQueueCapacity(0);
+  lcm_.subscribe(channels, &LcmRecorder::Receive, this)->setQueueCapacity(0);
 }
 
 void LcmRecorder::Receive(const lcm::ReceiveBuffer* buffer, const std::string& channel) {

@@ -15,10 +15,11 @@
 
 namespace fallen::testing_support {
 
-/// Listens to all channels of a network and keeps what comes, as bytes.
+/// Listens to channels of a network and keeps what comes, as bytes.
 class LcmRecorder {
  public:
-  explicit LcmRecorder(const std::string& url);
+  /// @param channels  Regular expression of those to keep.
+  explicit LcmRecorder(const std::string& url, const std::string& channels = ".*");
 
   lcm::LCM& lcm() { return lcm_; }
 

@@ -19,12 +19,16 @@ constexpr std::chrono::milliseconds kJoinTime{500};
 }  // namespace
 
 ServiceChain::ServiceChain(const std::filesystem::path& model,
-                           const std::filesystem::path& configuration)
-    : url_(EnterPrivateNetwork()), model_(model), configuration_(configuration), recorder_(url_) {}
+                           const std::filesystem::path& configuration, Pace pace)
+    : url_(EnterPrivateNetwork()),
+      model_(model),
+      configuration_(configuration),
+      pace_(pace),
+      recorder_(url_, pace == Pace::kLive ? "STATUS_.*" : ".*") {}
 
 void ServiceChain::Start(const Stage& stage, const std::vector<std::string>& more_arguments) {
-  std::vector<std::string> command{Program("fallen-" + stage.service), "--lossless", "--lcm-url",
-                                   url_};
+  std::vector<std::string> command{Program("fallen-" + stage.service), "--lcm-url", url_};
+  if (pace_ == Pace::kLossless) command.push_back("--lossless");
   if (stage.needs_model) command.insert(command.end(), {"--model", model_.string()});
   if (!configuration_.empty()) command.insert(command.end(), {"--config", configuration_.string()});
   command.insert(command.end(), more_arguments.begin(), more_arguments.end());

@@ -27,12 +27,18 @@ inline constexpr std::int64_t kMaxResidentBytes = 100 << 20;
 /// Services of ours as separate processes on a private network, and somebody who listens.
 class ServiceChain {
  public:
+  enum class Pace {
+    kLossless,  ///< every frame; all that is sent is kept
+    kLive,      ///< the newest frame, as on a robot; only statuses are kept
+  };
+
   /// @param model          File for the stages that need one.
   /// @param configuration  File for all of them; empty: none.
   explicit ServiceChain(const std::filesystem::path& model,
-                        const std::filesystem::path& configuration = {});
+                        const std::filesystem::path& configuration = {},
+                        Pace pace = Pace::kLossless);
 
-  /// Starts a service, lossless, and waits for its first status.
+  /// Starts a service and waits for its first status.
   void Start(const Stage& stage, const std::vector<std::string>& more_arguments = {});
   void StartAll();
 
@@ -63,6 +69,7 @@ class ServiceChain {
   const std::string url_;
   std::filesystem::path model_;
   std::filesystem::path configuration_;
+  Pace pace_;
   TemporaryFolder folder_;
   LcmRecorder recorder_;
   std::map<std::string, ChildProcess> processes_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench_sequence.hpp"
+#include "tools/bench/bench_sequence.hpp"
 
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 #include "fallen/detection/pose_synchronizer.hpp"
 #include "fallen/messages/recording.hpp"
 #include "fallen/service/channels.hpp"
-#include "ray_cast_scene.hpp"
+#include "tools/bench/ray_cast_scene.hpp"
 #include "tools/import/import_log.hpp"
 
 namespace fallen {

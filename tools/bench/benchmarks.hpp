@@ -46,4 +46,11 @@ void RegisterCostBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
 /// file until the first frame can come.
 void RegisterEnvironmentBenchmarks(const std::shared_ptr<BenchSequence>& sequence);
 
+/// Registers Encode/TYPE, Transfer/TYPE and Decode/TYPE for each message that travels: from the
+/// value to bytes, through LCM on the loopback, from bytes to the value, on what the services would
+/// send about the frames at the configuration of `options`. Alarms, answers and statuses are made
+/// up. Transfer is skipped where LCM cannot be opened, all without a model.
+void RegisterTransportBenchmarks(const std::shared_ptr<BenchSequence>& sequence,
+                                 const DetectorOptions& options);
+
 }  // namespace fallen

@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
       fallen::RegisterPeerBenchmarks(sequence, options);
       fallen::RegisterPclBenchmarks(sequence);
       fallen::RegisterBaselineBenchmarks(sequence, options);
+      fallen::RegisterTransportBenchmarks(sequence, options);
     }
     fallen::RegisterCostBenchmarks(first, options);
     fallen::RegisterEnvironmentBenchmarks(first);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ray_cast_scene.hpp"
+#include "tools/bench/ray_cast_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
