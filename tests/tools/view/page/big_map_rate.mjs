@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import {mkdirSync, readFileSync} from 'node:fs';
 import path from 'node:path';
-import {test} from 'node:test';
+import {after, test} from 'node:test';
 
 import {findBrowser, openPage, start, startViewer, waitFor} from './viewer.mjs';
 
@@ -20,11 +20,17 @@ function residentMegabytes(pid) {
 }
 
 const finder = findBrowser(source);
+const running = [];  // what ends with the measurement, however that ends
+after(async () => {
+  for (const end of running) await end();
+});
 test(`keeps up with ${kBigMap} ellipsoids at 10 Hz`, async () => {
   const [browser, {viewer, address}] = await Promise.all([
     finder.launch(), startViewer(path.join(bin, 'fallen-view'), ['--lcm-url', lcm, '--camera', 'CAMERA', '--port', '0'])]);
+  running.push(() => browser.close(), () => viewer.kill());
   const page = await openPage(browser, address);
   const maps = start(publisher, [lcm, String(kBigMap), String(kSeconds + 300)]);
+  running.push(() => maps.kill('SIGKILL'));
   await waitFor(page, (count) => fallenView.world.cells.count === count, kBigMap);
   // Drawn whether there is news or not, as when somebody turns the view.
   await page.evaluate(() => {
@@ -56,6 +62,4 @@ test(`keeps up with ${kBigMap} ellipsoids at 10 Hz`, async () => {
   assert.deepEqual(page.problems, []);
   maps.kill('SIGKILL');
   await page.screenshot({path: path.join(out, 'big-map.png'), timeout: 60_000});
-  await browser.close();
-  viewer.kill();
 });
