@@ -63,7 +63,7 @@ function takeTimeline(message) {
   timeline.take(message);
   if (hasBegun) player.timelineGrew();
   else begin();
-  plot.draw();
+  plot.invalidate();
   showControls();
 }
 
@@ -81,7 +81,7 @@ function takeFrame(value) {
   showFacts();
   player.arrived(frame.index);
   world.marks.showPath(timeline, frame.index);
-  plot.draw();
+  plot.invalidate();
 }
 
 // An alarm may come, or be acknowledged, between two frames.
@@ -159,7 +159,7 @@ const toggleTheme = followTheme(() => {
     world.boxes.show(frame);
     depthPanel.show(frame);
   }
-  plot.draw();
+  plot.invalidate();
 });
 
 const bindings = [
@@ -212,6 +212,7 @@ function tick(now) {
   player.tick(Math.min(Math.max(now - lastTick, 0), 250) * 1e-3);
   lastTick = now;
   world.draw(now);
+  plot.draw(now);
   if (now - lastRates > 500) {
     lastRates = now;
     showRates(now);

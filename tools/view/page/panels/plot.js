@@ -6,6 +6,8 @@ import {themeColor} from '../palette.js';
 
 const kMargin = {left: 34, right: 10, top: 8, bottom: 20};
 const kLiveWindow = 120;  // of a live feed [s]
+const kPeriodMs = 60;    // least time between two drawings
+const kDotStep = 4;      // of the dots where a person was found, at least [px]
 const kTickSteps = [0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200];
 
 export function clockText(seconds) {
@@ -20,8 +22,12 @@ export class Plot {
     this.player = player;
     this.box = byId('plot');
     this.canvas = byId('plot-canvas');
+    // Without a graphics card, lines and dots are drawn several times faster by the processor itself.
+    this.context = this.canvas.getContext('2d', {willReadFrequently: true});
     this.threshold = null;
-    new ResizeObserver(() => this.draw()).observe(this.box);
+    this.isDirty = true;
+    this.drawn = -Infinity;
+    new ResizeObserver(() => this.invalidate()).observe(this.box);
     this.box.addEventListener('pointerdown', (event) => {
       this.box.setPointerCapture(event.pointerId);
       this.player.isPlaying = false;
@@ -51,11 +57,18 @@ export class Plot {
     this.player.seek(this.timeline.indexAt(from + share * (to - from)));
   }
 
-  draw() {
+  invalidate() { this.isDirty = true; }
+
+  /// Draws if anything has changed since the last time; called for every picture of the browser.
+  /// @param now  [ms]
+  draw(now) {
+    if (!this.isDirty || now - this.drawn < kPeriodMs) return;
+    this.isDirty = false;
+    this.drawn = now;
     const ratio = Math.min(devicePixelRatio, 2);
     const {clientWidth, clientHeight} = this.box;
     Object.assign(this.canvas, {width: clientWidth * ratio, height: clientHeight * ratio});
-    const context = this.canvas.getContext('2d');
+    const {context} = this;
     context.scale(ratio, ratio);
     const {left, top, width, height} = this.inner;
     const [from, to] = this.range;
@@ -111,9 +124,14 @@ export class Plot {
     // Where a person was found: a wash over the full height.
     context.fillStyle = person;
     context.globalAlpha = 0.16;
+    let begin = null;  // of the wash
     points.forEach(([at, , persons], i) => {
-      const next = points[i + 1]?.[0] ?? at + 2;
-      if (persons > 0) context.fillRect(at, top, Math.max(next - at, 1) + 0.3, height);
+      if (persons === 0) return;
+      begin ??= at;
+      const next = points[i + 1];
+      if (next && next[2] > 0) return;
+      context.fillRect(begin, top, Math.max((next?.[0] ?? at + 2) - begin, 1) + 0.3, height);
+      begin = null;
     });
     context.globalAlpha = 1;
     context.beginPath();
@@ -128,9 +146,15 @@ export class Plot {
     context.lineJoin = 'round';
     context.stroke();
     context.fillStyle = person;
+    context.beginPath();
+    let last = -Infinity;
     for (const [at, p, persons] of points) {
-      if (persons > 0) context.beginPath(), context.arc(at, y(p), 2.6, 0, 7), context.fill();
+      if (persons === 0 || at - last < kDotStep) continue;
+      last = at;
+      context.moveTo(at, y(p));
+      context.arc(at, y(p), 2.6, 0, 7);
     }
+    context.fill();
   }
 
   drawPlayhead(context, x) {
