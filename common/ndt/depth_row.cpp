@@ -110,19 +110,49 @@ template <int kLanes>
   PlaceLanes<kLanes>(rest, u, directions, g, points);
 }
 
-using Quad = Lanes<kPortableLanes>::Floats;
-using QuadMask = Lanes<kPortableLanes>::Ints;
-
-[[gnu::always_inline]] inline void KeepUnless(const QuadMask& starts, Quad& sum) {
-  sum = reinterpret_cast<Quad>(reinterpret_cast<QuadMask>(sum) & ~starts);
+// Products of a point with 1, x, y and z, of which a register holds kLanes / 4: those of `part`.
+template <int kPart>
+[[gnu::always_inline]] inline void Products(const Lanes<4>::Floats& p, Lanes<4>::Floats& products) {
+  products = p * __builtin_shufflevector(p, p, (kPart + 3) % 4, (kPart + 3) % 4, (kPart + 3) % 4,
+                                         (kPart + 3) % 4);
 }
+template <int kPart>
+[[gnu::always_inline]] inline void Products(const Lanes<4>::Floats& p, Lanes<8>::Floats& products) {
+  constexpr int kFirst = (2 * kPart + 3) % 4, kSecond = 2 * kPart;
+  products = __builtin_shufflevector(p, p, 0, 1, 2, 3, 0, 1, 2, 3) *
+             __builtin_shufflevector(p, p, kFirst, kFirst, kFirst, kFirst, kSecond, kSecond,
+                                     kSecond, kSecond);
+}
+
+// The sums of the run that a row is in.
+template <int kLanes>
+struct Sums {
+  using Floats = typename Lanes<kLanes>::Floats;
+  using Ints = typename Lanes<kLanes>::Ints;
+  static constexpr int kParts = 16 / kLanes;
+  Floats parts[kParts] = {};
+
+  // Begins anew if `starts` is true, which is -1.
+  template <int kPart = 0>
+  [[gnu::always_inline]] void Add(const Lanes<4>::Floats& point, std::int32_t starts, float* to) {
+    if constexpr (kPart < kParts) {
+      Floats products;
+      Products<kPart>(point, products);
+      const Ints keeps = ~(Ints{} + starts);
+      parts[kPart] = reinterpret_cast<Floats>(reinterpret_cast<Ints>(parts[kPart]) & keeps);
+      parts[kPart] += products;
+      Store(parts[kPart], to + kPart * kLanes);
+      Add<kPart + 1>(point, starts, to);
+    }
+  }
+};
 
 // Nothing branches on where runs begin, which no processor can foresee: every pixel writes the sums
 // of its run so far, and the next pixel of the run writes over them.
 template <int kLanes>
-[[gnu::always_inline]] inline int SumRuns(const RowPoints& p, int count, PointRun* runs) {
+[[gnu::always_inline]] inline int SumRuns(const RowPoints& p, int count, const RowRuns& runs) {
   using Ints = typename Lanes<kLanes>::Ints;
-  Quad first = {}, second = {}, third = {};
+  Sums<kLanes> sums;
   int found = 0;
   for (int u = 0; u < count; u += kLanes) {
     Ints x, y, z, before_x, before_y, before_z;
@@ -140,24 +170,12 @@ template <int kLanes>
     Store(is_point, keeps);
 #pragma GCC unroll 8
     for (int lane = 0; lane < kLanes; ++lane) {
-      const QuadMask start = QuadMask{} + starts[lane];
-      Quad point;
+      Lanes<4>::Floats point;
       Load(point, p.offset + 4 * (u + lane));
-      KeepUnless(start, first);
-      KeepUnless(start, second);
-      KeepUnless(start, third);
-      first += point;
-      second += __builtin_shufflevector(point, point, 0, 0, 0, 1) *
-                __builtin_shufflevector(point, point, 0, 1, 2, 1);
-      third += __builtin_shufflevector(point, point, 1, 2, 2, 2) *
-               __builtin_shufflevector(point, point, 2, 2, 2, 2);
+      runs.first[found] = u + lane;
       found -= starts[lane];  // true is -1
       // What is no point is written behind the last run.
-      PointRun& run = runs[found + keeps[lane]];
-      Store(first, run.sums.data());
-      Store(second, run.sums.data() + 4);
-      Store(third, run.sums.data() + 8);
-      run.last = u + lane;
+      sums.Add(point, starts[lane], runs.sums[found + keeps[lane]].data());
     }
   }
   return found;
@@ -167,31 +185,38 @@ template <int kLanes>
 [[gnu::always_inline]] inline int PlaceAndSum(const std::uint16_t* depth, int count,
                                               const RowDirections& directions,
                                               const RowGeometry& geometry, const RowPoints& points,
-                                              PointRun* runs) {
+                                              const RowRuns& runs) {
   const RowGeometry g = geometry;  // copies, so that no store can seem to change them
   const RowPoints p = points;
   PlacePixels<kLanes>(depth, count, directions, g, p);
   p.voxel_x[-1] = p.voxel_y[-1] = p.voxel_z[-1] = kNoPoint;
-  return SumRuns<kLanes>(p, count, runs);
+  return SumRuns<kLanes>(p, count, RowRuns(runs));
 }
 
 int SumRowRunsPortable(const std::uint16_t* depth, int count, const RowDirections& directions,
-                       const RowGeometry& geometry, const RowPoints& points, PointRun* runs) {
+                       const RowGeometry& geometry, const RowPoints& points, const RowRuns& runs) {
   return PlaceAndSum<kPortableLanes>(depth, count, directions, geometry, points, runs);
 }
 
 FALLEN_TARGET_AVX2 int SumRowRunsAvx2(const std::uint16_t* depth, int count,
                                       const RowDirections& directions, const RowGeometry& geometry,
-                                      const RowPoints& points, PointRun* runs) {
+                                      const RowPoints& points, const RowRuns& runs) {
   return PlaceAndSum<kAvx2Lanes>(depth, count, directions, geometry, points, runs);
 }
 
 }  // namespace
 
+#if !defined(__x86_64__)
+int SumRowRunsAvx512(const std::uint16_t* depth, int count, const RowDirections& directions,
+                     const RowGeometry& geometry, const RowPoints& points, const RowRuns& runs) {
+  return SumRowRunsPortable(depth, count, directions, geometry, points, runs);
+}
+#endif
+
 int SumRowRuns(const std::uint16_t* depth, int count, const RowDirections& directions,
-               const RowGeometry& geometry, const RowPoints& points, PointRun* runs) {
-  return ChooseSimd(SumRowRunsPortable, SumRowRunsAvx2, SumRowRunsAvx2)(depth, count, directions,
-                                                                        geometry, points, runs);
+               const RowGeometry& geometry, const RowPoints& points, const RowRuns& runs) {
+  return ChooseSimd(SumRowRunsPortable, SumRowRunsAvx2, SumRowRunsAvx512)(depth, count, directions,
+                                                                          geometry, points, runs);
 }
 
 }  // namespace fallen

@@ -43,26 +43,31 @@ struct RowPoints {
 };
 inline constexpr std::int32_t kNoPoint = INT32_MIN;
 
-/// Sums over points, by their offsets from the voxel's centre: x y z count, xx xy xz yy, yz zz and
-/// two without meaning. Float suffices: 5 000 points of one image in a voxel leave variances good
-/// to 1e-9 m^2.
-using RunSums = std::array<float, 12>;
+/// Sums over the points of a run, by their offsets from the voxel's centre: x y z count, xx xy xz
+/// x, yx yy yz y, zx zy zz z. Float suffices: 5 000 points of one image in a voxel leave variances
+/// good to 1e-9 m^2.
+struct alignas(64) RunSums : std::array<float, 16> {};
 
-/// Neighbouring pixels of a row whose points lie in one voxel.
-struct alignas(64) PointRun {
-  RunSums sums;
-  std::int32_t last;  ///< column of the last pixel
+/// Runs of neighbouring pixels of a row whose points lie in one voxel, in the row's order.
+///
+/// Memory for the next multiple of kRowPadding pixels of a row, and one more.
+struct RowRuns {
+  std::int32_t* first;  ///< column of a run's first pixel
+  RunSums* sums;
 };
 
 /// Pixels are placed so many at a time.
-inline constexpr int kRowPadding = 8;
+inline constexpr int kRowPadding = 16;
 
 /// Places the `count` pixels of a row and sums them up in runs.
-/// @param points  Is written: the voxel of a run is that of its last pixel.
-/// @param runs    Room for one a pixel, and one more.
+/// @param points  Is written: voxels where a run begins; the rest is scratch memory.
 /// @return Number of runs.
-/// The same bits on every processor.
+/// The same bits on every processor, but for the sign of a zero.
 int SumRowRuns(const std::uint16_t* depth, int count, const RowDirections& directions,
-               const RowGeometry& geometry, const RowPoints& points, PointRun* runs);
+               const RowGeometry& geometry, const RowPoints& points, const RowRuns& runs);
+
+/// The variant for the widest registers.
+int SumRowRunsAvx512(const std::uint16_t* depth, int count, const RowDirections& directions,
+                     const RowGeometry& geometry, const RowPoints& points, const RowRuns& runs);
 
 }  // namespace fallen

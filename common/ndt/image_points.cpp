@@ -39,12 +39,20 @@ RowGeometry MakeRowGeometry(const DepthImage& image, const GridCamera& camera,
   return geometry;
 }
 
-void AddSums(const RunSums& more, RunSums& sums) {
-  for (std::size_t k = 0; k < sums.size(); k += kPortableLanes) {
-    Lanes<kPortableLanes>::Floats a, b;
-    Load(a, sums.data() + k);
-    Load(b, more.data() + k);
-    Store(a + b, sums.data() + k);
+void AddSums(const RunSums& run, IncomingPoints& incoming) {
+  using Quad = Lanes<kPortableLanes>::Floats;
+  static_assert(kPortableLanes == 4);
+  Quad with_one, with_x, with_y, with_z;
+  Load(with_one, run.data());
+  Load(with_x, run.data() + 4);
+  Load(with_y, run.data() + 8);
+  Load(with_z, run.data() + 12);
+  const Quad added[] = {with_one, __builtin_shufflevector(with_x, with_y, 0, 1, 5, 6),
+                        __builtin_shufflevector(with_x, with_z, 2, 2, 6, 6)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Quad sums;
+    Load(sums, incoming.sums.data() + 4 * k);
+    Store(Quad(sums + added[k]), incoming.sums.data() + 4 * k);
   }
 }
 
@@ -55,7 +63,8 @@ RowPoints ImagePoints::Resize(std::size_t image_width) {
   for (auto* floats : {&column_x_, &column_y_, &column_z_}) floats->resize(width);
   for (auto* indices : {&voxel_x_, &voxel_y_, &voxel_z_}) indices->resize(1 + width);
   offsets_.resize(4 * width);
-  runs_.resize(width + 1);
+  run_first_.resize(width + 1 + kRowPadding);
+  run_sums_.resize(width + 1);
   return {voxel_x_.data() + 1, voxel_y_.data() + 1, voxel_z_.data() + 1, offsets_.data()};
 }
 
@@ -88,14 +97,14 @@ void ImagePoints::AddTo(VoxelStore& store, const DepthImage& image, const GridCa
                                       static_cast<float>(along.z())};
     const int run_count =
         SumRowRuns(image.depth.data() + static_cast<std::size_t>(v) * pinhole.width, pinhole.width,
-                   directions, geometry, points, runs_.data());
-    for (const PointRun* run = runs_.data(); run != runs_.data() + run_count; ++run) {
-      const VoxelIndex local = {points.voxel_x[run->last], points.voxel_y[run->last],
-                                points.voxel_z[run->last]};
+                   directions, geometry, points, {run_first_.data(), run_sums_.data()});
+    for (int run = 0; run < run_count; ++run) {
+      const std::int32_t u = run_first_[run];
+      const VoxelIndex local = {points.voxel_x[u], points.voxel_y[u], points.voxel_z[u]};
       std::int32_t& recent = RecentPosition(local);
       recent = store.FindOrAdd(
           {camera.voxel.x + local.x, camera.voxel.y + local.y, camera.voxel.z + local.z}, recent);
-      AddSums(run->sums, store.incoming()[recent].sums);
+      AddSums(run_sums_[run], store.incoming()[recent]);
     }
   }
 }

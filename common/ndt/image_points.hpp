@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fallen/geometry/depth_image.hpp"
+#include "fallen/ndt/depth_row.hpp"
 #include "fallen/ndt/grid_camera.hpp"
 
 namespace fallen {
@@ -32,7 +33,8 @@ class ImagePoints {
   std::vector<float> column_x_, column_y_, column_z_;  // directions of the rays, column part
   std::vector<std::int32_t> voxel_x_, voxel_y_, voxel_z_;
   std::vector<float> offsets_;
-  std::vector<PointRun> runs_;
+  std::vector<std::int32_t> run_first_;
+  std::vector<RunSums> run_sums_;
   std::array<std::int32_t, 2048> recent_{};  // 8 kB, a part of the first cache
 };
 

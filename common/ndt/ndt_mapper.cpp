@@ -60,8 +60,8 @@ SymmetricMatrix3 InCameraFrame(const SymmetricMatrix3& m, const Eigen::Matrix3d&
 }
 
 PointSums<double> SumsOf(const IncomingPoints& points) {
-  const RunSums& s = points.sums;
-  return {s[3], {s[0], s[1], s[2]}, {s[4], s[5], s[6], s[7], s[8], s[9]}};
+  const auto& s = points.sums;
+  return {s[3], {s[0], s[1], s[2]}, {s[4], s[5], s[8], s[6], s[7], s[10]}};
 }
 
 }  // namespace

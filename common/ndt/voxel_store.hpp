@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "fallen/ndt/depth_row.hpp"
 #include "fallen/ndt/ndt_cell.hpp"
 #include "fallen/ndt/voxel_statistics.hpp"
 
@@ -31,7 +31,7 @@ struct Voxel {
 /// Points of the newest frame in a voxel, not yet merged: with its index one line of the cache, all
 /// that adding a point takes.
 struct alignas(64) IncomingPoints {
-  RunSums sums{};
+  std::array<float, 12> sums{};  ///< x y z count, xx xy yy yz, xz xz zz zz
   VoxelIndex index;
 
   float count() const { return sums[3]; }

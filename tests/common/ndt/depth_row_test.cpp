@@ -59,7 +59,7 @@ struct Row {
 
 struct FoundRun {
   std::array<std::int32_t, 3> voxel;
-  RunSums sums;
+  std::array<float, 16> sums;
   bool operator==(const FoundRun&) const = default;
 };
 
@@ -67,14 +67,15 @@ std::vector<FoundRun> RunsOf(const Row& row) {
   constexpr int kRoom = kMostPixels + kRowPadding + 1;
   std::vector<std::int32_t> x(kRoom), y(kRoom), z(kRoom);
   std::vector<float> offsets(4 * kRoom);
-  std::vector<PointRun> runs(kRoom);
-  const int count =
-      SumRowRuns(row.depth.data(), static_cast<int>(row.depth.size()), row.directions(), Geometry(),
-                 {x.data() + 1, y.data() + 1, z.data() + 1, offsets.data()}, runs.data());
+  std::vector<std::int32_t> first(kRoom + kRowPadding);
+  std::vector<RunSums> sums(kRoom);
+  const int count = SumRowRuns(
+      row.depth.data(), static_cast<int>(row.depth.size()), row.directions(), Geometry(),
+      {x.data() + 1, y.data() + 1, z.data() + 1, offsets.data()}, {first.data(), sums.data()});
   std::vector<FoundRun> found;
   for (int r = 0; r < count; ++r) {
-    const int at = 1 + runs[r].last;
-    found.push_back({{x[at], y[at], z[at]}, runs[r].sums});
+    const int at = 1 + first[r];
+    found.push_back({{x[at], y[at], z[at]}, sums[r]});
   }
   return found;
 }
@@ -101,17 +102,15 @@ std::vector<FoundRun> PlainRunsOf(const Row& row) {
     }
     if (!goes_on || runs.back().voxel != voxel) runs.push_back({voxel, {}});
     goes_on = true;
-    const std::array<double, 10> added = {o[0],        o[1],        o[2],        1,
-                                          o[0] * o[0], o[0] * o[1], o[0] * o[2], o[1] * o[1],
-                                          o[1] * o[2], o[2] * o[2]};
-    for (std::size_t k = 0; k < added.size(); ++k)
-      runs.back().sums[k] += static_cast<float>(added[k]);
+    const std::array<double, 4> point = {o[0], o[1], o[2], 1}, factors = {1, o[0], o[1], o[2]};
+    for (std::size_t k = 0; k < runs.back().sums.size(); ++k)
+      runs.back().sums[k] += static_cast<float>(point[k % 4] * factors[k / 4]);
   }
   return runs;
 }
 
 TEST(SumRowRuns, GivesThePlainSumsAndTheSameBitsAtEveryLevel) {
-  for (const int count : {0, 1, 7, 8, 9, 32, kMostPixels}) {
+  for (const int count : {0, 1, 7, 8, 9, 15, 16, 17, 32, kMostPixels}) {
     const Row row(count, 1);
     const std::vector<FoundRun> expected = PlainRunsOf(row);
     if (count == kMostPixels) {
@@ -127,7 +126,7 @@ TEST(SumRowRuns, GivesThePlainSumsAndTheSameBitsAtEveryLevel) {
         EXPECT_EQ(runs[r].voxel, expected[r].voxel);
         EXPECT_EQ(runs[r].sums[3], expected[r].sums[3]);
         // Places are good to a step of float at 5 m, 0.5 um; a run has up to a few dozen points.
-        for (std::size_t k = 0; k < 10; ++k)
+        for (std::size_t k = 0; k < expected[r].sums.size(); ++k)
           EXPECT_NEAR(runs[r].sums[k], expected[r].sums[k], 1e-5);
       }
     });
