@@ -233,11 +233,15 @@ void DecomposePortable(const MatrixBatch& matrices, EigenBatch& result) {
 FALLEN_TARGET_AVX2 void DecomposeAvx2(const MatrixBatch& matrices, EigenBatch& result) {
   DecomposeBatch<kAvx2Lanes>(matrices, result);
 }
+// With masks in registers of their own.
+FALLEN_TARGET_AVX512 void DecomposeAvx512(const MatrixBatch& matrices, EigenBatch& result) {
+  DecomposeBatch<kAvx2Lanes>(matrices, result);
+}
 
 }  // namespace
 
 void DecomposeLikeEigen(const MatrixBatch& matrices, EigenBatch& result) {
-  ChooseSimd(DecomposePortable, DecomposeAvx2, DecomposeAvx2)(matrices, result);
+  ChooseSimd(DecomposePortable, DecomposeAvx2, DecomposeAvx512)(matrices, result);
 }
 
 }  // namespace fallen

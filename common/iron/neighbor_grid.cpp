@@ -71,7 +71,8 @@ void NeighborGrid::Build(std::span<const Eigen::Vector3f> points, float bucket_m
   }
 }
 
-NearestPoint NeighborGrid::FindNearest(const Eigen::Vector3f& query, float radius_m) const {
+NearestPoint NeighborGrid::FindNearest(const Eigen::Vector3f& query, float radius_m,
+                                       double enough_m) const {
   NearestPoint nearest;
   nearest.sq_distance = radius_m * radius_m;
   const auto look_at = [&](std::int32_t begin, std::int32_t end) {
@@ -85,6 +86,13 @@ NearestPoint NeighborGrid::FindNearest(const Eigen::Vector3f& query, float radiu
   };
   const Eigen::Vector3i own = Bucket(query.array());
   const std::int32_t bucket = (own.z() * size_.y() + own.y()) * size_.x() + own.x();
+  // Less a little, so that what is enough here is so by its root too.
+  const auto sq_enough = static_cast<float>(enough_m * enough_m * (1 - 1e-6));
+  for (std::int32_t k = bucket_begin_[bucket]; k < bucket_begin_[bucket + 1]; ++k) {
+    const float sq_distance = (sorted_points_[k] - query).squaredNorm();
+    if (sq_distance < sq_enough && sq_distance <= nearest.sq_distance)
+      return {sorted_index_[k], sq_distance};
+  }
   look_at(bucket_begin_[bucket], bucket_begin_[bucket + 1]);
 
   // Nearer points lie within this distance, most often within the same bucket. What rounding may

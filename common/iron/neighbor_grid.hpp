@@ -97,7 +97,8 @@ class NeighborGrid {
   /// The point nearest to `query`, no farther than `radius_m`; of several as near, the one of the
   /// smallest index. Quick where a point lies close by: only the buckets that could hold a nearer
   /// one are looked at.
-  NearestPoint FindNearest(const Eigen::Vector3f& query, float radius_m) const;
+  /// @param enough_m  A point nearer than this will do, nearest or not.
+  NearestPoint FindNearest(const Eigen::Vector3f& query, float radius_m, double enough_m = 0) const;
 
   std::size_t size() const { return sorted_points_.size(); }
   std::span<const Eigen::Vector3f> sorted_points() const { return sorted_points_; }

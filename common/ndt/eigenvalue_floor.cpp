@@ -206,11 +206,15 @@ void FloorPortable(CovarianceLanes& lanes, double ratio) { FloorLanes<2>(lanes, 
 FALLEN_TARGET_AVX2 void FloorAvx2(CovarianceLanes& lanes, double ratio) {
   FloorLanes<4>(lanes, ratio);
 }
+// With masks in registers of their own.
+FALLEN_TARGET_AVX512 void FloorAvx512(CovarianceLanes& lanes, double ratio) {
+  FloorLanes<4>(lanes, ratio);
+}
 
 }  // namespace
 
 void FloorEigenvalueLanes(CovarianceLanes& lanes, double ratio) {
-  ChooseSimd(FloorPortable, FloorAvx2, FloorAvx2)(lanes, ratio);
+  ChooseSimd(FloorPortable, FloorAvx2, FloorAvx512)(lanes, ratio);
 }
 
 }  // namespace fallen

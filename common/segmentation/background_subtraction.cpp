@@ -141,7 +141,9 @@ void BackgroundSubtractor::Subtract(ForegroundMap& foreground) const {
   OpenCells open;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i].mean.allFinite()) continue;
-    const NearestPoint nearest = index_->grid.FindNearest(cells[i].mean, index_->radius_m);
+    // What is nearer than the smallest threshold is background, whichever cell it is near to.
+    const NearestPoint nearest =
+        index_->grid.FindNearest(cells[i].mean, index_->radius_m, config_.static_threshold_m);
     if (nearest.index < 0) continue;
     const double distance_m = std::sqrt(static_cast<double>(nearest.sq_distance));
     if (distance_m < config_.static_threshold_m) {
