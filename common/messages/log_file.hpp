@@ -69,14 +69,9 @@ class LogWriter {
 
 /// Bytes of a message, for LogWriter and for publishing. The message's counts must be the sizes of
 /// its arrays, as ToMessage makes them: the generated code does not check.
+/// Instantiated for every type in lcmtypes/ that travels alone or in a file.
 /// @throws std::invalid_argument if it cannot be encoded.
 template <class Message>
-std::vector<std::uint8_t> EncodeMessage(const Message& message) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  const int size = message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  if (size != static_cast<int>(bytes.size()))
-    throw std::invalid_argument(std::string(Message::getTypeName()) + ": cannot be encoded");
-  return bytes;
-}
+std::vector<std::uint8_t> EncodeMessage(const Message& message);
 
 }  // namespace fallen
