@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <random>
 
 #include "fallen/messages/model_files.hpp"
 #include "tests/integration/chain_checks.hpp"
@@ -82,6 +83,38 @@ TEST_F(Chain, SeparateProcessesAndOneProcessAgreeOnTheDemoRecording) {
   ServiceChain chain(model_);
   ExpectSameAsTheDetector(chain);
   ExpectSameAsTheTool(chain, {Program("fallen-detect"), recording_, "--model", model_});
+  chain.StopAll();
+}
+
+TEST_F(Chain, HoldsTheMapOfAFlatInLittleMemory) {
+  // A hundred thousand cells, all over a flat of 12 x 10 m.
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> unit(0, 1);
+  EnvironmentMap flat{0.05, std::vector<NdtCell>(100000), "flat"};
+  for (NdtCell& cell : flat.cells) {
+    cell.mean = {12 * unit(random), 10 * unit(random), 2.5F * unit(random)};
+    cell.covariance = {1e-4F, 0, 0, 1e-4F, 0, 1e-4F};
+    cell.point_count = 20;
+  }
+  SaveEnvironmentMap(folder_ / "flat.map", flat, flat.description);
+  recording_ = FALLEN_SOURCE_DIR "/recordings/demo.lcm";
+  model_ = FALLEN_SOURCE_DIR "/models/fallen.model";
+  const std::size_t frames = BytesInLog(recording_, "DEPTH_CAMERA").size();
+
+  ServiceChain chain(model_);
+  for (const Stage& stage : kStages) {
+    const bool has_map = stage.service == "background-subtraction";
+    chain.Start(stage, has_map ? std::vector<std::string>{"--map", folder_ / "flat.map"}
+                               : std::vector<std::string>{});
+  }
+  chain.Play(recording_, kChainInputs);
+  EXPECT_TRUE(chain.WaitForMessages(kPersons, frames));
+  chain.recorder().HandleFor(milliseconds(1200));  // a last status of each
+  for (const Stage& stage : kStages) {
+    const service_status_t status = chain.recorder().Status(stage.service);
+    EXPECT_EQ(status.state, service_status_t::RUNNING) << status.text;
+    EXPECT_LE(status.resident_bytes, kMaxResidentBytes) << stage.service;
+  }
   chain.StopAll();
 }
 

@@ -21,7 +21,7 @@ namespace fallen::testing_support {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr std::int64_t kMaxResidentBytes = std::int64_t{1} << 40;
 #else
-inline constexpr std::int64_t kMaxResidentBytes = 100 << 20;
+inline constexpr std::int64_t kMaxResidentBytes = 64 << 20;
 #endif
 
 /// Services of ours as separate processes on a private network, and somebody who listens.
