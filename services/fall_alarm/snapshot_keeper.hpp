@@ -23,8 +23,9 @@ namespace fallen {
 class SnapshotKeeper {
  public:
   /// @param lcm        Must outlive this.
-  /// @param max_bytes  What is remembered, over all channels: the oldest goes first.
-  explicit SnapshotKeeper(lcm::LCM& lcm, std::size_t max_bytes = std::size_t{64} << 20);
+  /// @param max_bytes  What is remembered, over all channels: the oldest goes first. The default is
+  ///                   2 s of a camera of 640 x 480 at 30 Hz; an alarm asks within a frame or two.
+  explicit SnapshotKeeper(lcm::LCM& lcm, std::size_t max_bytes = std::size_t{32} << 20);
   ~SnapshotKeeper();
   SnapshotKeeper(const SnapshotKeeper&) = delete;
   SnapshotKeeper& operator=(const SnapshotKeeper&) = delete;
