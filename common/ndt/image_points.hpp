@@ -35,7 +35,7 @@ class ImagePoints {
   std::vector<float> offsets_;
   std::vector<std::int32_t> run_first_;
   std::vector<RunSums> run_sums_;
-  std::array<std::int32_t, 2048> recent_{};  // 8 kB, a part of the first cache
+  std::array<std::int32_t, 16384> recent_{};  // as many as a room has voxels, in 64 kB
 };
 
 }  // namespace fallen

@@ -48,12 +48,15 @@ void RunCells(benchmark::State& state, const NdtMap& whole, const DetectorParts&
   foreground.map.cells.resize(count);
   foreground.is_foreground.assign(count, 1);
   CellSegmenter segmenter(parts.model.cells, parts.config.segmentation);
+  ClusterClassifier classifier(parts.model.clusters);
+  SegmentedMap segmented;
+  Decision decision;
   LapTimes laps;
   for (auto _ : state) {
     laps.Start();
-    benchmark::DoNotOptimize(ClassifyClusters(segmenter.Segment(foreground), parts.model.clusters,
-                                              parts.config.classification)
-                                 .hypotheses.data());
+    segmenter.Segment(foreground, segmented);
+    classifier.Classify(segmented, parts.config.classification, decision);
+    benchmark::DoNotOptimize(decision.hypotheses.data());
     laps.Stop();
   }
   laps.Report(state);
