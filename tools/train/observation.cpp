@@ -41,6 +41,12 @@ class Observer {
   CellLabeller labeller_;
 };
 
+// Thousands of recordings are kept in memory: without room to grow.
+void Keep(ObservedFrame frame, std::vector<ObservedFrame>& frames) {
+  frame.map.cells.shrink_to_fit();
+  frames.push_back(std::move(frame));
+}
+
 NdtConfig WithoutAccumulation(NdtConfig config) {
   config.accumulate = false;
   return config;
@@ -73,9 +79,9 @@ ObservedRecording ObserveRecording(const std::filesystem::path& log, const Groun
     if (!truth->person.empty()) observed.origin.person = truth->person;
     if (!truth->room.empty()) observed.origin.room = truth->room;
     ObservedFrame in_map = accumulating.Observe(*frame, *truth);
-    if (number % config.frame_stride == 0) observed.frames.push_back(std::move(in_map));
+    if (number % config.frame_stride == 0) Keep(std::move(in_map), observed.frames);
     if (config.single_frame_stride > 0 && number % config.single_frame_stride == 0)
-      observed.frames.push_back(single.Observe(*frame, *truth));
+      Keep(single.Observe(*frame, *truth), observed.frames);
     ++number;
   }
   if (number == 0)
