@@ -75,7 +75,7 @@ class ServiceReporter {
   const std::string status_channel_;
   std::mutex publish_mutex_;
 
-  mutable std::mutex mutex_;  // guards all below
+  mutable std::mutex mutex_;  // guards all below but the last
   service_status_t counts_{};
   ServiceState state_ = ServiceState::kStarting;
   std::string text_;
@@ -87,7 +87,7 @@ class ServiceReporter {
   std::int64_t missing_ = 0;
   TimingWindow timing_;
   RepeatedWarnings warnings_;
-  Clock::time_point next_status_{};
+  Clock::time_point next_status_{};  // of the thread that runs the loop
 };
 
 /// Memory of this process that is resident [bytes]; 0 if the system does not tell.
