@@ -3,22 +3,15 @@
 #include <algorithm>
 #include <string>
 
-#include "fallen/messages/camera_view_conversion.hpp"
 #include "fallen/messages/conversions.hpp"
-#include "fallen/messages/map_conversion.hpp"
-#include "fallen/messages/message_checks.hpp"
-#include "fallen/messages/message_limits.hpp"
+#include "fallen/messages/map_part_conversion.hpp"
 
 namespace fallen {
 namespace {
 
 const std::string kClusters = "clusters_t";
 
-// All but cells, clusters and what the conversions of the parts check.
-void CheckScalars(const clusters_t& message) {
-  FromMessage(message.header);
-  CheckCellSize(kClusters, message.cell_size_m);
-  checks::InRange(kClusters + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
+void CheckBackgroundStatus(const clusters_t& message) {
   checks::InRange(kClusters + ".background_status", message.background_status, 0,
                   static_cast<int>(BackgroundStatus::kNoPose));
 }
@@ -112,19 +105,10 @@ void FillDescriptors(const clusters_t& message, std::vector<CellCluster>& cluste
 
 clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
   clusters_t message{};
-  message.header = ToMessage(header);
-  message.cell_size_m = segmented.cell_size_m;
-  message.frame = static_cast<std::int32_t>(segmented.frame);
-  TransformToMessage(segmented.T_map_camera, message.T_map_camera);
-  message.view = ViewToMessage(kClusters + ".view", segmented.view);
-  message.ground = GroundToMessage(segmented.ground);
+  MapPartToMessage(kClusters, header, segmented, Cells(segmented), message);
   message.background_status = static_cast<std::int32_t>(segmented.background);
+  CheckBackgroundStatus(message);
   message.iron = IronToMessage(segmented.iron);
-  CheckScalars(message);
-  TransformFromMessage(kClusters + ".T_map_camera", message.T_map_camera);
-  const std::vector<NdtCell> cells = Cells(segmented);
-  CheckNearCamera(kClusters, cells, segmented.T_map_camera);
-  message.cells = CellsToMessage(cells);
   message.cell_count = message.cells.count;
   for (const ScoredCell& scored : segmented.cells) {
     checks::Score("clusters_t.score", scored.score);
@@ -138,20 +122,14 @@ clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
 }
 
 SegmentedMap FromMessage(const clusters_t& message) {
-  CheckScalars(message);
   SegmentedMap segmented;
-  segmented.cell_size_m = message.cell_size_m;
-  segmented.frame = static_cast<MapFrame>(message.frame);
-  segmented.T_map_camera = TransformFromMessage(kClusters + ".T_map_camera", message.T_map_camera);
-  segmented.view = ViewFromMessage(kClusters + ".view", message.view);
-  segmented.ground = GroundFromMessage(kClusters, message.ground);
+  const std::vector<NdtCell> cells = MapPartFromMessage(kClusters, message, segmented);
+  CheckBackgroundStatus(message);
   segmented.background = static_cast<BackgroundStatus>(message.background_status);
   segmented.iron = IronFromMessage(kClusters, message.iron);
   checks::InRange(kClusters + ".dimension", message.dimension, segmented.iron.dimension(),
                   segmented.iron.dimension());
 
-  const std::vector<NdtCell> cells = CellsFromMessage(kClusters, message.cells);
-  CheckNearCamera(kClusters, cells, segmented.T_map_camera);
   checks::Count(kClusters + ".cell_count", message.cell_count, cells.size());
   checks::Count(kClusters + ".cell_count", message.cell_count, message.score.size());
   checks::Count(kClusters + ".cell_count", message.cell_count, message.cluster.size());

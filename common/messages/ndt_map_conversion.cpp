@@ -1,11 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
-#include "fallen/messages/camera_view_conversion.hpp"
 #include "fallen/messages/conversions.hpp"
-#include "fallen/messages/map_conversion.hpp"
-#include "fallen/messages/message_checks.hpp"
+#include "fallen/messages/map_part_conversion.hpp"
 #include "fallen/messages/message_limits.hpp"
 
 namespace fallen {
@@ -14,13 +10,6 @@ namespace {
 const std::string kNdtMap = "ndt_map_t";
 const std::string kFlags = kNdtMap + ".is_foreground";
 const std::string kEnvironmentMap = "environment_map_t";
-
-// All but the cells and the flags.
-void CheckScalars(const ndt_map_t& message) {
-  FromMessage(message.header);
-  CheckCellSize(kNdtMap, message.cell_size_m);
-  checks::InRange(kNdtMap + ".frame", message.frame, 0, static_cast<int>(MapFrame::kCamera));
-}
 
 void CheckFlags(const ndt_map_t& message) {
   checks::InRange(kNdtMap + ".background_status", message.background_status, 0,
@@ -31,15 +20,8 @@ void CheckFlags(const ndt_map_t& message) {
 
 // All but the flags.
 NdtMap CheckedMap(const ndt_map_t& message) {
-  CheckScalars(message);
   NdtMap map;
-  map.cell_size_m = message.cell_size_m;
-  map.frame = static_cast<MapFrame>(message.frame);
-  map.T_map_camera = TransformFromMessage(kNdtMap + ".T_map_camera", message.T_map_camera);
-  map.view = ViewFromMessage(kNdtMap + ".view", message.view);
-  map.ground = GroundFromMessage(kNdtMap, message.ground);
-  map.cells = CellsFromMessage(kNdtMap, message.cells);
-  CheckNearCamera(kNdtMap, map.cells, map.T_map_camera);
+  map.cells = MapPartFromMessage(kNdtMap, message, map);
   return map;
 }
 
@@ -47,17 +29,8 @@ NdtMap CheckedMap(const ndt_map_t& message) {
 
 ndt_map_t ToMessage(const Header& header, const NdtMap& map) {
   ndt_map_t message{};
-  message.header = ToMessage(header);
-  message.cell_size_m = map.cell_size_m;
-  message.frame = static_cast<std::int32_t>(map.frame);
-  TransformToMessage(map.T_map_camera, message.T_map_camera);
-  message.view = ViewToMessage(kNdtMap + ".view", map.view);
-  message.ground = GroundToMessage(map.ground);
-  message.cells = CellsToMessage(map.cells);
+  MapPartToMessage(kNdtMap, header, map, map.cells, message);
   message.background_status = static_cast<std::int32_t>(BackgroundStatus::kNoEnvironmentMap);
-  CheckScalars(message);
-  TransformFromMessage(kNdtMap + ".T_map_camera", message.T_map_camera);
-  CheckNearCamera(kNdtMap, map.cells, map.T_map_camera);
   return message;
 }
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
+#include <utility>
 
 #include "fallen/classification/cluster_candidates.hpp"
+#include "fallen/classification/cluster_classifier.hpp"
 #include "fallen/classification/soft_threshold_encoding.hpp"
 #include "fallen/evaluation/frame_outcome.hpp"
 #include "fallen/segmentation/parallel_for.hpp"
@@ -134,9 +136,11 @@ CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames
 
   ClusterModel calibrated = model;
   calibrated.calibration = result.calibration;
+  ClusterClassifier classifier(std::move(calibrated));
+  Decision decision;
   std::vector<FrameOutcome> outcomes;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Decision decision = ClassifyClusters(judged[i].segmented, calibrated);
+    classifier.Classify(judged[i].segmented, {}, decision);
     outcomes.push_back(JudgeFrame(decision, frames[i]->person_box, frames[i]->cells_in_box));
   }
   result.tradeoff = ComputeTradeoff(outcomes);
