@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "fallen/messages/guarded_decoding.hpp"
@@ -16,6 +17,7 @@
 #include "tests/support/log_detection.hpp"
 #include "tests/support/synthetic_model.hpp"
 #include "tests/support/synthetic_scene.hpp"
+#include "tools/view/view_options.hpp"
 
 namespace fallen::testing_support {
 namespace {
@@ -146,6 +148,20 @@ TEST_F(CaptureChain, RecordedChannelsOfACameraThatStandsStillReplayWithTheSameRe
   chain.StopAll();
   EXPECT_EQ(BytesInLog(folder_ / "run.lcm", kDepth).size(), frames);
   ExpectEachChannelReplays(chain, folder_ / "run.lcm", frames);
+}
+
+TEST_F(CaptureChain, IsLookedAtWithTheConfiguredMounting) {
+  ServiceChain chain(model_);
+  Record(chain, {SceneImage(0).image.depth});
+  ViewOptions options;
+  options.input = recording_;
+  options.detector.config = folder_ / "mounting.yaml";
+  std::ofstream(*options.detector.config) << "capture: {mounting_position_m: [0.1, 0, 0.95], "
+                                             "mounting_roll_pitch_yaw_deg: [0, 0, 0]}\n";
+  const std::optional<Frame> frame = OpenInput(options)->Next();
+  ASSERT_TRUE(frame);
+  ASSERT_TRUE(frame->T_robot_camera);
+  EXPECT_EQ(frame->T_robot_camera->translation(), Eigen::Vector3d(0.1, 0, 0.95));
 }
 
 }  // namespace
