@@ -32,7 +32,7 @@ struct ClassificationConfig {
   /// Of clusters whose centroids lie nearer to each other along the floor, only the likeliest is
   /// kept: the others most likely are parts of the same person [m], >= 0. A grown person is 1.5 to
   /// 2 m long; tuned on simulated validation recordings.
-  double min_separation_m = 1.2;
+  double min_separation_m = 1.6;
 
   void Validate() const;
   template <class Visitor>
