@@ -29,6 +29,7 @@ struct Opened {
   std::vector<T> Array(const std::string& name) const {
     const json& place = facts.at("arrays").at(name);
     std::vector<T> values(place.at("count").get<std::size_t>());
+    if (values.empty()) return values;
     std::memcpy(values.data(), arrays.data() + place.at("offset").get<std::size_t>(),
                 values.size() * sizeof(T));
     return values;
