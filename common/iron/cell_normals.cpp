@@ -34,6 +34,12 @@ CellNormal NormalOf(const EigenBatch& batch, std::size_t lane, const IronConfig&
   return result;
 }
 
+void RequireOneEach(std::size_t normals, std::size_t cells) {
+  if (normals == cells) return;
+  throw std::invalid_argument("iron: got room for " + std::to_string(normals) +
+                              " normals, expected one a cell, " + std::to_string(cells));
+}
+
 }  // namespace
 
 // The solver, its single precision and with them the sign that it happens to give the normal are
@@ -43,9 +49,7 @@ CellNormal NormalOf(const EigenBatch& batch, std::size_t lane, const IronConfig&
 void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
                     std::span<CellNormal> normals) {
   config.Validate();
-  if (normals.size() != cells.size())
-    throw std::invalid_argument("iron: got room for " + std::to_string(normals.size()) +
-                                " normals, expected one a cell, " + std::to_string(cells.size()));
+  RequireOneEach(normals.size(), cells.size());
   MatrixBatch batch;
   EigenBatch solved;
   for (std::size_t begin = 0; begin < cells.size(); begin += kMostLanes) {
@@ -74,6 +78,13 @@ std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells, const Iro
   std::vector<CellNormal> normals;
   ComputeNormals(cells, config, normals);
   return normals;
+}
+
+void OrientNormals(std::span<const NdtCell> cells, const Eigen::Vector3f& eye,
+                   std::span<CellNormal> normals) {
+  RequireOneEach(normals.size(), cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (normals[i].normal.dot(eye - cells[i].mean) < 0) normals[i].normal *= -1;
 }
 
 }  // namespace fallen

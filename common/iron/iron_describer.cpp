@@ -40,7 +40,7 @@ void ClearDescriptors(Eigen::Index cells, int dimension, IronDescriptors& descri
 // A base was counted as its own neighbour: the line of length zero is at 90 degrees.
 void RemoveItself(const PairBinning& binning, std::uint32_t* counts) {
   std::uint32_t* const between = counts + PairCountIndex(0, 0, 0, binning.columns);
-  std::uint32_t* const along = counts + PairCountIndex(0, 1, binning.columns - 1, binning.columns);
+  std::uint32_t* const along = counts + PairCountIndex(0, 1, binning.ColumnOf(0), binning.columns);
   for (int lane = 0; lane < kMostLanes; ++lane) {
     between[lane] -= 1;
     along[lane] -= 1;
@@ -89,8 +89,8 @@ std::array<std::int32_t, kMostLanes> Normalize(const PairBinning& binning, int m
 
 }  // namespace
 
-IronDescriber::IronDescriber(const IronConfig& config)
-    : config_(Validated(config)), binning_(config), tables_(binning_) {
+IronDescriber::IronDescriber(const IronConfig& config, NormalSigns signs)
+    : config_(Validated(config)), binning_(config, signs), tables_(binning_) {
   counts_.resize(static_cast<std::size_t>(config.dimension()) * kMostLanes);
   shares_.resize(counts_.size());
 }
@@ -164,8 +164,8 @@ const IronDescriptors& IronDescriber::Describe(std::span<const NdtCell> cells,
 IronDescriptors ComputeIronDescriptors(std::span<const NdtCell> cells,
                                        std::span<const CellNormal> normals,
                                        std::span<const std::uint8_t> wanted,
-                                       const IronConfig& config) {
-  IronDescriptors descriptors = IronDescriber(config).Describe(cells, normals, wanted);
+                                       const IronConfig& config, NormalSigns signs) {
+  IronDescriptors descriptors = IronDescriber(config, signs).Describe(cells, normals, wanted);
   descriptors.values.conservativeResize(static_cast<Eigen::Index>(cells.size()), Eigen::NoChange);
   return descriptors;
 }

@@ -19,7 +19,8 @@ namespace fallen {
 class IronDescriber {
  public:
   /// @throws std::invalid_argument if `config` is out of range.
-  explicit IronDescriber(const IronConfig& config = {});
+  explicit IronDescriber(const IronConfig& config = {},
+                         NormalSigns signs = NormalSigns::kArbitrary);
 
   const IronConfig& config() const { return config_; }
 

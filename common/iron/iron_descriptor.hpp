@@ -18,7 +18,7 @@ namespace fallen {
 struct IronConfig {
   double radius_m = 0.5;          ///< neighbourhood, the paper Sec. III-C
   int distance_bins = 3;          ///< rows, of the squared distance
-  int angle_bins = 8;             ///< columns, 0 to 90 degrees
+  int angle_bins = 8;             ///< columns, 0 to 90 degrees (see NormalSigns)
   double max_ball_ratio = 0.9;    ///< lambda0/lambda1 above it: a ball, no normal
   double min_needle_ratio = 0.1;  ///< lambda1/lambda2 below it: a needle, no normal
   int min_neighbors = 5;          ///< fewer: no descriptor
@@ -45,6 +45,12 @@ struct CellNormal {
   bool usable = false;  ///< false for balls and needles: no descriptor, nobody's neighbour
 };
 
+/// What the signs of normals say, and so which angles a descriptor tells apart.
+enum class NormalSigns : std::int32_t {
+  kArbitrary = 0,  ///< nothing: angles are folded to 90 degrees
+  kOriented = 1,   ///< out of the surface, see OrientNormals: angles up to 180 degrees
+};
+
 /// One normal a cell. Deterministic, and the same bits at every SimdLevel.
 /// @throws std::invalid_argument if `config` is out of range.
 std::vector<CellNormal> ComputeNormals(std::span<const NdtCell> cells,
@@ -55,6 +61,14 @@ void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
 /// @param normals  As many as there are cells. @throws std::invalid_argument if they are not.
 void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
                     std::span<CellNormal> normals);
+
+/// Turns each normal, where it is not so, to the side of its cell on which `eye` is: out of the
+/// surface, if it was seen from there. What sign it had makes no difference, but for normals at
+/// right angles to the line of sight, which stay.
+/// @param eye  Where the sensor is, frame of the cells [m].
+/// @throws std::invalid_argument if sizes disagree.
+void OrientNormals(std::span<const NdtCell> cells, const Eigen::Vector3f& eye,
+                   std::span<CellNormal> normals);
 
 /// Descriptors of all cells, one row each.
 struct IronDescriptors {
@@ -79,11 +93,15 @@ void GrowRows(Matrix& matrix, Eigen::Index rows, Eigen::Index columns) {
 /// Every cell of `cells` counts as neighbour, wanted or not.
 ///
 /// @param wanted  Empty, or one flag a cell.
+/// @param signs   With NormalSigns::kOriented the columns are of 0 to 180 degrees, and as many; the
+///                line of histogram 2 goes from the neighbour to the cell, so that neighbours below
+///                the surface come first.
 /// @throws std::invalid_argument if sizes disagree or `config` is out of range.
 /// Deterministic; a cell's descriptor does not depend on `wanted`. O(pairs within the radius).
 IronDescriptors ComputeIronDescriptors(std::span<const NdtCell> cells,
                                        std::span<const CellNormal> normals,
                                        std::span<const std::uint8_t> wanted = {},
-                                       const IronConfig& config = {});
+                                       const IronConfig& config = {},
+                                       NormalSigns signs = NormalSigns::kArbitrary);
 
 }  // namespace fallen

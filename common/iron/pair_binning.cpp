@@ -37,26 +37,29 @@ ClassColumns ColumnsOfClass(const PairBinning& binning, int index, bool negative
 
 }  // namespace
 
-PairBinning::PairBinning(const IronConfig& config)
-    : rows(config.distance_bins), columns(config.angle_bins) {
+PairBinning::PairBinning(const IronConfig& config, NormalSigns signs)
+    : rows(config.distance_bins),
+      columns(config.angle_bins),
+      is_folded(signs == NormalSigns::kArbitrary) {
   const auto radius = static_cast<float>(config.radius_m);
   sq_radius = radius * radius;
   for (int k = 1; k < rows; ++k)
     row_from[k - 1] = static_cast<float>(k) * sq_radius / static_cast<float>(rows);
+  const double widest = is_folded ? std::numbers::pi / 2 : std::numbers::pi;
   for (int k = 1; k < columns; ++k) {
     // A cosine such as 0.5 that is a whole number of steps must not fall below it by rounding.
     constexpr double kRounding = 1e-9;
-    const double edge =
-        std::floor(kCosineSteps * std::cos(k * std::numbers::pi / (2 * columns)) + kRounding);
+    const double edge = std::floor(kCosineSteps * std::cos(k * widest / columns) + kRounding);
     const double below = (edge + 1) / kCosineSteps;  // the step that begins with the edge
     const double from = edge / kCosineSteps;         // of a negative cosine: that ends with it
     constexpr double kSqScale = double{kNormalScale} * double{kNormalScale};
-    column_below[k - 1] = static_cast<float>(kSqScale * below * below);
-    column_from[k - 1] = static_cast<float>(-kSqScale * from * from);
+    column_below[k - 1] = static_cast<float>(kSqScale * below * std::abs(below));
+    column_from[k - 1] = is_folded ? static_cast<float>(-kSqScale * from * from) : -kInfinity;
   }
 }
 
 ColumnTables::ColumnTables(const PairBinning& binning) {
+  if (!binning.is_folded) return;
   valid = binning.rows <= kMaxRows && binning.columns <= kMaxColumns;
   for (int index = 0; index < 8; ++index) {
     const ClassColumns positive = ColumnsOfClass(binning, index, false);

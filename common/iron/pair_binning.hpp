@@ -33,10 +33,11 @@ struct PairBinning {
   int columns = 1;
   std::array<float, kMaxEdges> row_from{};      ///< rows - 1 squared distances, rising [m^2]
   std::array<float, kMaxEdges> column_below{};  ///< columns - 1 values of q, falling
-  std::array<float, kMaxEdges> column_from{};   ///< likewise, rising
+  std::array<float, kMaxEdges> column_from{};   ///< likewise, rising; not folded: -infinity
+  bool is_folded = true;  ///< columns are of 0 to 90 degrees, else of 0 to 180
 
   /// @param config  Valid.
-  explicit PairBinning(const IronConfig& config);
+  explicit PairBinning(const IronConfig& config, NormalSigns signs = NormalSigns::kArbitrary);
 
   int RowOf(float sq_distance) const {
     int row = 0;
@@ -60,7 +61,7 @@ struct ColumnTables {
   static constexpr int kMaxRows = 3;
   static constexpr int kMaxColumns = 8;
 
-  bool valid = false;  ///< the binning has at most 3 rows, 8 columns and one edge in a class
+  bool valid = false;  ///< the binning is folded, of at most 3 rows, 8 columns, an edge a class
   std::array<std::int32_t, 8> least{};
   std::array<float, 8> edge_positive{};  ///< infinite where all are in `least + 1`
   std::array<float, 8> edge_negative{};  ///< for q < 0

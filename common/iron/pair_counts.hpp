@@ -33,9 +33,9 @@ inline int PairCountIndex(int row, int histogram, int column, int columns) {
 
 /// Adds the pairs of each base with the cells at `near` to the base's lane of `counts`.
 ///
-/// Angles are folded to 90 degrees; one on an edge belongs to the bin above it; the line between
-/// equal means counts as 90 degrees, so that a base among the cells counts as a neighbour in row 0,
-/// column 0 and the last column.
+/// Angles are folded to 90 degrees if the binning is; one on an edge belongs to the bin above it;
+/// the line between equal means counts as 90 degrees, so that a base among the cells counts as a
+/// neighbour in row 0, column 0 and the column of 90 degrees, folded the last.
 /// @param counts  kMostLanes counts for each row, histogram and column, see PairCountIndex.
 /// The same counts at every SimdLevel.
 void CountPairs(const BaseLanes& bases, const PairCell* cells, const std::int32_t* near,

@@ -99,6 +99,8 @@ ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iro
 
 model_t ToMessage(const Model& model) {
   model.Validate();
+  if (model.cells.signs != NormalSigns::kArbitrary)
+    checks::Fail(kModel + ".iron", "oriented normals", "arbitrary signs: no file says otherwise");
   model_t message{};
   message.description = model.description;
   checks::CheckText(kModel + ".description", message.description, limits::kMaxTextBytes);

@@ -95,9 +95,10 @@ void SegmentationConfig::Validate() const {
 CellSegmenter::CellSegmenter(const CellModel& model, const SegmentationConfig& config)
     : config_(config),
       cell_size_m_(model.cell_size_m),
+      signs_(model.signs),
       features_(model.features),
       scorer_(model.trees),
-      describer_(model.iron) {
+      describer_(model.iron, model.signs) {
   config_.Validate();
 }
 
@@ -219,6 +220,8 @@ void CellSegmenter::Segment(const ForegroundMap& foreground, SegmentedMap& segme
   const NdtMap& visible = foreground_only ? foreground_only_ : map;
   FindWanted(visible, foreground_only ? std::span<const std::uint8_t>() : foreground.is_foreground);
   ComputeNormals(visible.cells, describer_.config(), normals_);
+  if (signs_ == NormalSigns::kOriented)
+    OrientNormals(visible.cells, map.T_map_camera.translation().cast<float>(), normals_);
   const IronDescriptors& descriptors = describer_.Describe(visible.cells, normals_, is_wanted_);
   const double iron_ms = stopwatch.Lap();
 

@@ -17,6 +17,9 @@ namespace fallen {
 struct CellModel {
   double cell_size_m = 0.05;
   IronConfig iron;
+  /// Oriented to where the camera of the frame is, of cells seen earlier too. Of experiments only:
+  /// model files are of arbitrary signs.
+  NormalSigns signs = NormalSigns::kArbitrary;
   CellFeatureSet features = CellFeatureSet::kIron;
   BoostedTrees trees;
 

@@ -39,6 +39,7 @@ class CellSegmenter {
 
   SegmentationConfig config_;
   double cell_size_m_;
+  NormalSigns signs_;
   CellFeatureSet features_;
   TreeScorer scorer_;
   IronDescriber describer_;

@@ -14,7 +14,8 @@ AblationRow ReadRow(const YAML::Node& node, const YamlPlace& place, const Traini
   AblationRow row;
   row.training = common;
   ReadYaml(node, place, row);
-  row.retrains = node["training"].IsDefined();
+  if (row.oriented_normals) row.training.signs = NormalSigns::kOriented;
+  row.retrains = node["training"].IsDefined() || row.oriented_normals;
   row.segmentation = row.training.segmentation;
   if (node["segmentation"].IsDefined())
     ReadYamlSection(node["segmentation"], place.Member("segmentation"), row.segmentation);
@@ -34,7 +35,7 @@ AblationRow ReadRow(const YAML::Node& node, const YamlPlace& place, const Traini
 std::string AblationRow::Settings() const {
   return "training " + (retrains ? ConfigText(training) : "of the first row") + " segmentation " +
          ConfigText(segmentation) + " map " + ConfigText(map) + " accumulate " +
-         ConfigText(accumulate);
+         ConfigText(accumulate) + " oriented normals " + ConfigText(oriented_normals);
 }
 
 std::vector<AblationRow> LoadAblationRows(const std::filesystem::path& file,
@@ -59,6 +60,8 @@ std::vector<AblationRow> LoadAblationRows(const std::filesystem::path& file,
     if (!names.insert(rows.back().name).second)
       ThrowAt(node, place, "rows: got two named " + rows.back().name + ", expected other names");
   }
+  if (rows.front().oriented_normals)
+    ThrowAt(list[0], place, "rows: got oriented_normals in the first, expected a model to keep");
   rows.front().retrains = true;
   return rows;
 }

@@ -29,6 +29,8 @@ struct AblationRow {
   SegmentationConfig segmentation;  ///< in use; the training's unless told
   MapAge map = MapAge::kNone;
   bool accumulate = true;  ///< false: each map is of one frame
+  /// Descriptors tell the sides of surfaces apart, see NormalSigns: trained anew.
+  bool oriented_normals = false;
 
   template <class Visitor>
   void Visit(Visitor&& visit) {
@@ -37,6 +39,7 @@ struct AblationRow {
     visit("segmentation", segmentation);
     visit("map", map);
     visit("accumulate", accumulate);
+    visit("oriented_normals", oriented_normals);
   }
 
   /// All settings as text: a finished row with the same text need not be measured again.
@@ -44,9 +47,11 @@ struct AblationRow {
 };
 
 /// Reads the rows: `training:`, settings of all of them over `base`, and `rows:`, a list of maps
-/// with a `name` and what differs (keys of AblationRow). Only rows with `training:` are trained.
-/// @throws std::runtime_error naming file, line, got and expected: also for two rows of one name
-/// and for rows that want other `observation` settings, which all share.
+/// with a `name` and what differs (keys of AblationRow). Only rows with `training:` or
+/// `oriented_normals: true` are trained.
+/// @throws std::runtime_error naming file, line, got and expected: also for two rows of one name,
+/// for rows that want other `observation` settings, which all share, and for a first row with
+/// oriented normals, whose model could not be kept.
 std::vector<AblationRow> LoadAblationRows(const std::filesystem::path& file,
                                           const TrainingConfig& base);
 

@@ -63,9 +63,11 @@ FrameSamples SampleFrame(const ObservedFrame& observed, const TrainingConfig& co
   for (const std::int32_t i : person) wanted[i] = 1;
   for (const std::int32_t i : other) wanted[i] = 1;
 
-  const auto normals = ComputeNormals(frame.map.cells, config.iron);
+  auto normals = ComputeNormals(frame.map.cells, config.iron);
+  if (config.signs == NormalSigns::kOriented)
+    OrientNormals(frame.map.cells, frame.map.T_map_camera.translation().cast<float>(), normals);
   const IronDescriptors descriptors =
-      ComputeIronDescriptors(frame.map.cells, normals, wanted, config.iron);
+      ComputeIronDescriptors(frame.map.cells, normals, wanted, config.iron, config.signs);
   FrameSamples samples;
   std::vector<std::int32_t> indices;
   for (const auto* part : {&person, &other})
@@ -140,6 +142,7 @@ CellModel TrainCellModel(const CellSamples& samples, double cell_size_m,
   CellModel model;
   model.cell_size_m = cell_size_m;
   model.iron = config.iron;
+  model.signs = config.signs;
   model.features = config.sampling.features;
   model.trees = TrainBoostedTrees(
       samples.features, samples.labels, samples.weights, config.boosting,

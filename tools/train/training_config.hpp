@@ -70,6 +70,8 @@ struct TrainingConfig {
   SegmentationConfig segmentation;
   GrowingNeuralGasConfig codebook;
   IronConfig iron;
+  /// Not a setting of files, for model files cannot say it: tools/ablation sets it.
+  NormalSigns signs = NormalSigns::kArbitrary;
 
   /// @throws std::invalid_argument for the first setting that is out of range.
   void Validate() const;

@@ -10,43 +10,13 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
+#include "random_cells.hpp"
 #include "reference_cells.hpp"
 
 namespace fallen {
 namespace {
-
-NdtCell MakeCell(const Eigen::Vector3f& mean, const Eigen::Matrix3f& covariance) {
-  return {mean,
-          {covariance(0, 0), covariance(0, 1), covariance(0, 2), covariance(1, 1), covariance(1, 2),
-           covariance(2, 2)},
-          10,
-          1.0f};
-}
-
-// Flat cells of random orientation, with some balls and needles, in a box of `size_m` about
-// `center`.
-std::vector<NdtCell> RandomCells(int count, float size_m, const Eigen::Vector3f& center, int seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<float> uniform(-0.5f, 0.5f);
-  std::vector<NdtCell> cells;
-  for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3f mean =
-        center +
-        size_m * Eigen::Vector3f(uniform(generator), uniform(generator), uniform(generator));
-    const Eigen::Quaternionf turn = Eigen::Quaternionf(uniform(generator), uniform(generator),
-                                                       uniform(generator), uniform(generator))
-                                        .normalized();
-    Eigen::Vector3f eigenvalues(1e-6f, 1e-4f, 2e-4f);
-    if (i % 10 == 8) eigenvalues = {1e-4f, 1.05e-4f, 2e-4f};
-    if (i % 10 == 9) eigenvalues = {1e-6f, 1e-6f, 2e-4f};
-    const Eigen::Matrix3f rotation = turn.toRotationMatrix();
-    cells.push_back(MakeCell(mean, rotation * eigenvalues.asDiagonal() * rotation.transpose()));
-  }
-  return cells;
-}
 
 // The definition written down, in double, with arccos: histogram 1, histogram 2, neighbours. A pair
 // whose angle lies within `edge_slack` (as a cosine) of a bin edge counts for both bins, in

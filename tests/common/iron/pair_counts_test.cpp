@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -75,8 +76,9 @@ std::vector<std::uint32_t> PlainCounts(const Scene& scene, const PairBinning& bi
   return counts;
 }
 
-void ExpectPlainCountsAtEveryLevel(const Scene& scene, const IronConfig& config) {
-  const PairBinning binning(config);
+void ExpectPlainCountsAtEveryLevel(const Scene& scene, const IronConfig& config,
+                                   NormalSigns signs = NormalSigns::kArbitrary) {
+  const PairBinning binning(config, signs);
   const ColumnTables tables(binning);
   const std::vector<std::uint32_t> expected = PlainCounts(scene, binning);
   test::AtEverySimdLevel([&](SimdLevel level) {
@@ -104,8 +106,30 @@ TEST(CountPairs, TakesOtherHistogramsThanThePapers) {
     }
 }
 
+TEST(CountPairs, TakesAnglesUpTo180Degrees) {
+  for (const int columns : {1, 2, 7, 8, 16}) {
+    IronConfig config;
+    config.angle_bins = columns;
+    ExpectPlainCountsAtEveryLevel(RandomScene(120, 4), config, NormalSigns::kOriented);
+  }
+}
+
+TEST(PairBinning, PutsAnglesUpTo180DegreesIntoTheirColumns) {
+  IronConfig config;
+  for (const int columns : {7, 8}) {
+    config.angle_bins = columns;
+    const PairBinning binning(config, NormalSigns::kOriented);
+    for (int k = 0; k < columns; ++k) {
+      const float middle = (static_cast<float>(k) + 0.5F) / static_cast<float>(columns);
+      const float c = PairBinning::kNormalScale * std::cos(middle * std::numbers::pi_v<float>);
+      EXPECT_EQ(binning.ColumnOf(c * std::abs(c)), k);
+    }
+  }
+}
+
 TEST(CountPairs, HasTablesForThePapersHistograms) {
   EXPECT_TRUE(ColumnTables(PairBinning(IronConfig{})).valid);
+  EXPECT_FALSE(ColumnTables(PairBinning(IronConfig{}, NormalSigns::kOriented)).valid);
 }
 
 }  // namespace

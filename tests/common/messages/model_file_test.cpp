@@ -142,6 +142,9 @@ TEST(ModelConversion, WritingRefusesPartsThatDoNotFit) {
   model = SampleModel();
   model.clusters.codebook.conservativeResize(kUnits - 1, Eigen::NoChange);
   EXPECT_THROW(ToMessage(model), std::invalid_argument);
+  model = SampleModel();
+  model.cells.signs = NormalSigns::kOriented;  // model_t has no place for it
+  EXPECT_THROW(ToMessage(model), std::invalid_argument);
 }
 
 TEST(ModelFile, GivesBackWhatWasSavedAndNamesWhatIsWrong) {

@@ -92,6 +92,27 @@ TEST(SegmentCells, ListsEachClustersCellsWithTheirDescriptors) {
   }
 }
 
+TEST(SegmentCells, OrientsNormalsToTheCameraIfTheModelWantsThemSo) {
+  // Half of a plate is above the camera, and seen from below.
+  ForegroundMap foreground = Scene();
+  NdtMap& map = foreground.map;
+  for (NdtCell& cell : map.cells)
+    if (cell.mean.x() > 0.3F) cell.mean.z() = 0.4F;
+  map.T_map_camera.translation().z() = 0.3;
+  CellModel model = LowCells();
+  model.signs = NormalSigns::kOriented;
+  const SegmentedMap segmented = SegmentCells(foreground, model, {});
+  auto normals = ComputeNormals(map.cells);
+  OrientNormals(map.cells, map.T_map_camera.translation().cast<float>(), normals);
+  const IronDescriptors expected =
+      ComputeIronDescriptors(map.cells, normals, {}, {}, NormalSigns::kOriented);
+  ASSERT_FALSE(segmented.clusters.empty());
+  const auto first = segmented.clusters[0].descriptors.row(0);
+  EXPECT_EQ(first, expected.values.row(1));
+  const int last_column = model.iron.angle_bins - 1;
+  EXPECT_GT(first[model.iron.angle_bins + last_column], 0);  // opposite normals, not too near
+}
+
 TEST(SegmentCells, SmoothsScoresOverTheDescribedForeground) {
   // Half of a plate is bent upwards past 0.5 m: scores mix along the bend.
   ForegroundMap foreground = Scene();

@@ -32,11 +32,12 @@ constexpr char kRows[] =
     "  - name: base\n"
     "  - {name: old map, map: stale}\n"
     "  - {name: rough, segmentation: {smoothing_radius_m: 0}}\n"
-    "  - {name: deep, training: {boosting: {max_depth: 6}}}\n";
+    "  - {name: deep, training: {boosting: {max_depth: 6}}}\n"
+    "  - {name: sides, oriented_normals: true}\n";
 
 TEST(AblationRows, SayWhatDiffersFromWhatAllShare) {
   const auto rows = Rows(kRows);
-  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(rows.size(), 5u);
   for (const AblationRow& row : rows) EXPECT_EQ(row.training.boosting.rounds, 7);
   EXPECT_TRUE(rows[0].retrains);
   EXPECT_FALSE(rows[1].retrains);
@@ -47,6 +48,10 @@ TEST(AblationRows, SayWhatDiffersFromWhatAllShare) {
   EXPECT_TRUE(rows[3].retrains);
   EXPECT_EQ(rows[3].training.boosting.max_depth, 6);
   EXPECT_NE(rows[3].Settings(), rows[0].Settings());
+  EXPECT_EQ(rows[3].training.signs, NormalSigns::kArbitrary);
+  EXPECT_TRUE(rows[4].retrains);
+  EXPECT_EQ(rows[4].training.signs, NormalSigns::kOriented);
+  EXPECT_NE(rows[4].Settings(), rows[0].Settings());
 }
 
 TEST(AblationRows, NameTheLineThatIsWrong) {
@@ -58,6 +63,8 @@ TEST(AblationRows, NameTheLineThatIsWrong) {
               HasSubstr("observation"));
   EXPECT_THAT(ErrorOf("rows:\n  - {name: a, training: {boosting: {rounds: 0}}}\n"),
               HasSubstr("rows.yaml:2"));
+  EXPECT_THAT(ErrorOf("rows:\n  - {name: a, oriented_normals: true}\n"),
+              HasSubstr("rows.yaml:2: rows: got oriented_normals in the first"));
 }
 
 TEST(AblationRows, OfTheProjectAreValid) {

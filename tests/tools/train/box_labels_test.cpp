@@ -26,6 +26,30 @@ std::vector<const ObservedFrame*> Pointers(const ObservedRecording& recording) {
   return frames;
 }
 
+// Descriptors of the person's cells as if alone in the world, those that have one.
+IronDescriptors::Matrix DescribePerson(const ObservedFrame& frame, NormalSigns signs) {
+  std::vector<NdtCell> cells;
+  for (std::size_t i = 0; i < frame.labels.size(); ++i)
+    if (frame.labels[i] == CellLabel::kPerson) cells.push_back(frame.map.cells[i]);
+  auto normals = ComputeNormals(cells);
+  if (signs == NormalSigns::kOriented)
+    OrientNormals(cells, frame.map.T_map_camera.translation().cast<float>(), normals);
+  const IronDescriptors descriptors = ComputeIronDescriptors(cells, normals, {}, {}, signs);
+  IronDescriptors::Matrix valid(0, descriptors.values.cols());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!descriptors.valid(i)) continue;
+    valid.conservativeResize(valid.rows() + 1, Eigen::NoChange);
+    valid.bottomRows(1) = descriptors.values.row(static_cast<Eigen::Index>(i));
+  }
+  return valid;
+}
+
+void ExpectFirst(const IronDescriptors::Matrix& first, const IronDescriptors::Matrix& all) {
+  ASSERT_GT(first.rows(), 20);
+  ASSERT_LE(first.rows(), all.rows());
+  EXPECT_EQ(first, all.topRows(first.rows()));
+}
+
 TEST(BoxLabels, AreEnoughToTrainOn) {
   const ObservedRecording recording = ObserveLabelledByBox(true);
   const auto frames = Pointers(recording);
@@ -61,23 +85,13 @@ TEST(IsolatedPositives, HaveNothingButThePersonAround) {
   TrainingConfig config;
   config.sampling.positives = PositiveCells::kIsolated;
   const CellSamples samples = CollectCellSamples(frames, config, 1, [](const char*, double) {});
-
-  ObservedFrame alone = with_person.frames[0];
-  std::vector<NdtCell> cells;
-  for (std::size_t i = 0; i < alone.labels.size(); ++i)
-    if (alone.labels[i] == CellLabel::kPerson) cells.push_back(alone.map.cells[i]);
-  const auto normals = ComputeNormals(cells, config.iron);
-  const std::vector<std::uint8_t> wanted(cells.size(), 1);
-  const IronDescriptors expected = ComputeIronDescriptors(cells, normals, wanted, config.iron);
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!expected.valid(static_cast<int>(i))) continue;
-    ASSERT_LT(row, samples.person_descriptors.rows());
-    EXPECT_EQ(samples.person_descriptors.row(row),
-              expected.values.row(static_cast<Eigen::Index>(i)));
-    ++row;
-  }
-  EXPECT_GT(row, 20);
+  ExpectFirst(DescribePerson(with_person.frames[0], NormalSigns::kArbitrary),
+              samples.person_descriptors);
+  config.signs = NormalSigns::kOriented;
+  const CellSamples oriented = CollectCellSamples(frames, config, 1, [](const char*, double) {});
+  ExpectFirst(DescribePerson(with_person.frames[0], NormalSigns::kOriented),
+              oriented.person_descriptors);
+  EXPECT_NE(oriented.person_descriptors, samples.person_descriptors);
 }
 
 }  // namespace
