@@ -22,8 +22,11 @@ class FinishedRows {
   /// The row's result, if it is finished with the same settings on the same data.
   std::optional<nlohmann::json> Find(const AblationRow& row) const;
 
-  /// Keeps a result. @param figures  As of FiguresJson. @throws std::runtime_error.
-  void Keep(const AblationRow& row, const nlohmann::json& figures) const;
+  /// Keeps a result. @throws std::runtime_error.
+  /// @param figures   As of FiguresJson.
+  /// @param outcomes  As of OutcomesJson.
+  void Keep(const AblationRow& row, const nlohmann::json& figures,
+            const nlohmann::json& outcomes) const;
 
   /// Where the first row's model is kept.
   std::filesystem::path model_file() const { return folder_ / "first-row.model"; }
@@ -36,7 +39,8 @@ class FinishedRows {
 };
 
 /// The finished rows in their order, as a Markdown table: miss rates at 0.01 and 0.1 false
-/// positives per frame with their intervals, and the log-average miss rate.
+/// positives per frame and the log-average miss rate, with their intervals; and how far the last is
+/// from the first row's, where `difference` (as of DifferenceJson) is there.
 std::string MarkdownTable(const std::vector<nlohmann::json>& results);
 
 }  // namespace fallen

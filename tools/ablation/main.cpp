@@ -14,6 +14,7 @@
 #include "fallen/service/configuration.hpp"
 #include "tools/ablation/ablation_rows.hpp"
 #include "tools/ablation/finished_rows.hpp"
+#include "tools/ablation/row_difference.hpp"
 #include "tools/ablation/row_evaluation.hpp"
 #include "tools/common/step_progress.hpp"
 #include "tools/common/tool.hpp"
@@ -137,8 +138,25 @@ void Measure(const std::vector<AblationRow>& missing, const AblationRow& first,
     if (row.name == first.name) SaveModel(finished.model_file(), model);
     const auto outcomes =
         JudgeRow(row, model, material.validation, material.backgrounds, options.jobs, report);
-    finished.Keep(row, FiguresJson(outcomes, 0.5, BootstrapConfig{}));
+    finished.Keep(row, FiguresJson(outcomes, 0.5, BootstrapConfig{}), OutcomesJson(outcomes));
   }
+}
+
+/// The finished rows with their differences from the first, if that is finished, in place of their
+/// outcomes.
+std::vector<nlohmann::json> Results(const std::vector<AblationRow>& rows,
+                                    const FinishedRows& finished) {
+  const auto first = finished.Find(rows.front());
+  std::vector<nlohmann::json> results;
+  for (const AblationRow& row : rows) {
+    auto result = finished.Find(row);
+    if (!result) continue;
+    if (first && row.name != rows.front().name)
+      (*result)["difference"] = DifferenceJson(first->at("outcomes"), result->at("outcomes"), {});
+    result->erase("outcomes");
+    results.push_back(std::move(*result));
+  }
+  return results;
 }
 
 int Ablate(const Options& options) {
@@ -150,9 +168,7 @@ int Ablate(const Options& options) {
   const auto missing = Missing(wanted, rows.front(), finished);
   if (!missing.empty()) Measure(missing, rows.front(), options, finished);
 
-  std::vector<nlohmann::json> results;
-  for (const AblationRow& row : rows)
-    if (auto result = finished.Find(row)) results.push_back(std::move(*result));
+  const std::vector<nlohmann::json> results = Results(rows, finished);
   if (options.json) {
     std::ofstream file(*options.json);
     file << nlohmann::json(results).dump(2) << "\n";

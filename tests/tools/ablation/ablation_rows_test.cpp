@@ -89,9 +89,10 @@ TEST(FinishedRows, AreTakenOnlyWithTheSameSettingsAndData) {
   const auto rows = Rows(kRows);
   const FinishedRows finished(folder / "rows", "12 recordings");
   EXPECT_FALSE(finished.Find(rows[1]));
-  finished.Keep(rows[1], Figures(0.5));
+  finished.Keep(rows[1], Figures(0.5), {1, 2});
   ASSERT_TRUE(finished.Find(rows[1]));
   EXPECT_EQ(finished.Find(rows[1])->at("figures").at("miss_rate_at_0.01_fppf"), 0.5);
+  EXPECT_EQ(finished.Find(rows[1])->at("outcomes"), nlohmann::json({1, 2}));
   EXPECT_FALSE(finished.Find(rows[2]));
   EXPECT_FALSE(FinishedRows(folder / "rows", "13 recordings").Find(rows[1]));
   AblationRow other = rows[1];
@@ -100,8 +101,15 @@ TEST(FinishedRows, AreTakenOnlyWithTheSameSettingsAndData) {
 }
 
 TEST(FinishedRows, MakeATable) {
-  const std::string table = MarkdownTable({{{"name", "base"}, {"figures", Figures(0.25)}}});
-  EXPECT_THAT(table, HasSubstr("| base | 0.250 (0.150–0.350) | 0.125 (0.000–1.000) | – (–––) |"));
+  const nlohmann::json difference = {
+      {"log_average_miss_rate", {{"difference", -0.02}, {"interval", {-0.05, 0.0125}}}}};
+  const std::string table =
+      MarkdownTable({{{"name", "base"}, {"figures", Figures(0.25)}},
+                     {{"name", "other"}, {"figures", Figures(0.25)}, {"difference", difference}}});
+  EXPECT_THAT(table,
+              HasSubstr("| base | 0.250 (0.150–0.350) | 0.125 (0.000–1.000) | – (–––) |  |"));
+  EXPECT_THAT(table, HasSubstr("| other | 0.250 (0.150–0.350) | 0.125 (0.000–1.000) | – (–––) | "
+                               "-0.020 (-0.050 to +0.013) |"));
 }
 
 }  // namespace
