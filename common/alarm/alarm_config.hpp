@@ -12,7 +12,7 @@ struct AlarmConfig {
   double max_log_odds = 4;           ///< no frame says more, either way, > 0
   double missing_log_odds = -1.5;    ///< of a place that is seen without any cluster there, < 0
   /// Share of a place's box that must be seen for a frame to say anything about it, (0, 1].
-  double min_visible_share = 0.3;
+  double min_visible_share = 0.2;
   /// A ray that ends this much before a place still sees it [m], >= 0: the person itself is in its
   /// way.
   double visibility_margin_m = 0.35;

@@ -136,11 +136,15 @@ std::vector<const PersonHypothesis*> AlarmFusion::Match(
 void AlarmFusion::Observe(Place& place, const PersonHypothesis* person, const Seen& seen) {
   FallAlarm& alarm = place.alarm;
   const Decision& decision = seen.decision;
-  const std::optional<double> share =
-      VisibleShare(decision.view, decision.T_map_camera, person ? person->box : alarm.box,
-                   config_.visibility_margin_m);
   // A source that does not tell what it saw is believed what it found, not what it missed.
-  if (share.value_or(person ? 1 : 0) < config_.min_visible_share) {
+  const auto is_seen = [&](const OrientedBox& box, bool if_unknown) {
+    const std::optional<double> share =
+        VisibleShare(decision.view, decision.T_map_camera, box, config_.visibility_margin_m);
+    return share ? *share >= config_.min_visible_share : if_unknown;
+  };
+  // A cluster that the frame does not see is only remembered, and as good as not there.
+  if (person && !is_seen(person->box, true)) person = nullptr;
+  if (!person && !is_seen(alarm.box, false)) {
     place.unseen_s += seen.seconds;
     return;
   }

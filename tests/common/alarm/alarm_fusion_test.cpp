@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "fallen/alarm/place_visibility.hpp"
 #include "tests/support/seen_place.hpp"
 
 namespace fallen {
@@ -180,6 +181,24 @@ TEST_F(AlarmFusionTest, WhatTheMapRemembersIsNoNewEvidence) {
   // The cluster stays in the local map while the camera looks elsewhere.
   EXPECT_THAT(Show(0.3, With(Around(0), 0.99)), IsEmpty());
   EXPECT_THAT(Show(20, With(LookAt({0, 0, 1}, {-2, 0, 0}), 0.99)), IsEmpty());
+}
+
+TEST_F(AlarmFusionTest, WhatTheMapRemembersBesideAnEmptyPlaceDoesNotKeepTheAlarm) {
+  Raise();
+  // The picture ends between the place and what is left of the person.
+  const auto aside = LookAt({0, 0, 1}, {2, -1, 0.15});
+  const auto changes = Show(20, With(aside, 0.99, kPerson + Eigen::Vector3d(0, 0.75, 0)));
+  ASSERT_THAT(Kinds(changes), ElementsAre(AlarmChange::kCleared));
+  EXPECT_TRUE(changes[0].position.isApprox(kPerson, 0.01));
+}
+
+TEST_F(AlarmFusionTest, APersonMostlyOutsideThePictureCountsStill) {
+  const Decision decision = With(LookAt({0, 0, 1}, {2, 1.4, 0.15}), 0.99);
+  const std::optional<double> share =
+      VisibleShare(decision.view, decision.T_map_camera, decision.hypotheses[0].box, 0);
+  ASSERT_TRUE(share);
+  ASSERT_NEAR(*share, 0.27, 0.01);
+  EXPECT_THAT(Kinds(Show(5, decision)), ElementsAre(AlarmChange::kRaised));
 }
 
 TEST_F(AlarmFusionTest, SeveralPersonsAreSeveralAlarms) {
