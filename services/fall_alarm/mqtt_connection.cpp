@@ -33,6 +33,7 @@ struct MqttConnection::Callbacks {
   }
   static void OnConnect(mosquitto*, void* object, int code) {
     MqttConnection& self = Self(object);
+    self.is_answered_ = true;
     if (code != 0) {
       self.refusal_ = mosquitto_connack_string(code);
       return;
@@ -59,7 +60,10 @@ struct MqttConnection::Callbacks {
 MqttConnection::MqttConnection(const MqttConfig& config, const std::string& password,
                                const std::string& client_id, const std::string& will_topic,
                                const std::string& will, Handlers handlers)
-    : broker_(config.host + ":" + std::to_string(config.port)), handlers_(std::move(handlers)) {
+    : host_(config.host),
+      port_(config.port),
+      broker_(host_ + ":" + std::to_string(port_)),
+      handlers_(std::move(handlers)) {
   const bool is_clean_session = false;
   client_ = mosquitto_new(client_id.c_str(), is_clean_session, this);
   if (!client_) throw std::runtime_error("mqtt: out of memory");
@@ -82,11 +86,7 @@ MqttConnection::MqttConnection(const MqttConfig& config, const std::string& pass
       Require(
           mosquitto_tls_set(client_, config.ca_file.c_str(), nullptr, nullptr, nullptr, nullptr),
           "ca_file " + config.ca_file);
-    errno = 0;
-    const int status =
-        mosquitto_connect_async(client_, config.host.c_str(), config.port, kKeepAlive_s);
-    connect_error_ = errno;
-    if (status != MOSQ_ERR_CONN_PENDING) Require(status, "connecting");
+    Connect();
   } catch (...) {
     mosquitto_destroy(client_);
     throw;
@@ -106,7 +106,28 @@ void MqttConnection::Require(int status, const std::string& what) {
   Fail(what + ": " + why);
 }
 
+void MqttConnection::Connect() {
+  // An IPv4 address to come from leaves only such addresses to go to.
+  const char* const from = is_ipv4_only_ ? "0.0.0.0" : nullptr;
+  errno = 0;
+  const int status =
+      mosquitto_connect_bind_async(client_, host_.c_str(), port_, kKeepAlive_s, from);
+  connect_error_ = errno;
+  if (status != MOSQ_ERR_CONN_PENDING) Require(status, "connecting");
+}
+
 void MqttConnection::Loop(std::chrono::milliseconds timeout) {
+  try {
+    LoopOnce(timeout);
+  } catch (const std::runtime_error&) {
+    if (is_answered_ || is_ipv4_only_) throw;
+    is_ipv4_only_ = true;
+    library_error_.clear();
+    Connect();
+  }
+}
+
+void MqttConnection::LoopOnce(std::chrono::milliseconds timeout) {
   const int max_packets = 1;  // as the library wants it
   errno = 0;
   const int status = mosquitto_loop(client_, static_cast<int>(timeout.count()), max_packets);

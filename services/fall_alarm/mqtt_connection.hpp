@@ -51,13 +51,21 @@ class MqttConnection {
 
  private:
   struct Callbacks;
+  void Connect();
+  void LoopOnce(std::chrono::milliseconds timeout);
   void Require(int status, const std::string& what);
   void RequireAlive() const;
   [[noreturn]] void Fail(const std::string& why) const;
 
+  const std::string host_;
+  const int port_;
   const std::string broker_;
   Handlers handlers_;
   mosquitto* client_ = nullptr;
+  bool is_answered_ = false;
+  /// Of a host with several addresses the library tries the first, which is the IPv6 one: what has
+  /// not answered there is tried once more at its IPv4 address.
+  bool is_ipv4_only_ = false;
   int connect_error_ = 0;      ///< errno of the call that began to connect
   std::string refusal_;        ///< why the broker does not want us
   std::string library_error_;  ///< newest, for what only the library's log tells
