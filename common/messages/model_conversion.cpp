@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
-#include "fallen/messages/conversions.hpp"
 #include "fallen/messages/classifier_conversion.hpp"
+#include "fallen/messages/conversions.hpp"
 #include "fallen/messages/map_conversion.hpp"
 #include "fallen/messages/message_checks.hpp"
 #include "fallen/messages/message_limits.hpp"

@@ -15,9 +15,9 @@
 /// [Freund95]   Freund, Schapire: A decision-theoretic generalization of on-line learning and an
 ///              application to boosting. EuroCOLT 1995.
 /// [Friedman00] Friedman, Hastie, Tibshirani: Additive logistic regression. Annals of
-/// Statistics 28. [Friedman01] Friedman: Greedy function approximation: a gradient boosting machine.
-/// Annals of Statistics 29. [Schapire99] Schapire, Singer: Improved boosting algorithms using
-/// confidence-rated predictions.
+/// Statistics 28. [Friedman01] Friedman: Greedy function approximation: a gradient boosting
+/// machine. Annals of Statistics 29. [Schapire99] Schapire, Singer: Improved boosting algorithms
+/// using confidence-rated predictions.
 ///              Machine Learning 37.
 namespace fallen {
 
@@ -73,7 +73,7 @@ struct BoostingConfig {
   /// Share of its vote that a tree is given, (0, 1]: with small steps many trees learn more evenly
   /// than few [Friedman01].
   double learning_rate = 1;
-  int threshold_bins = 256;       ///< bins a feature is cut into at its quantiles, [2, 256]
+  int threshold_bins = 256;  ///< bins a feature is cut into at its quantiles, [2, 256]
 
   void Validate() const;
   template <class Visitor>

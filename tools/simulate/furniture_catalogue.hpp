@@ -24,7 +24,7 @@ enum class FurnitureRole {
   kDesk,
   kBed,
   kCabinet,  ///< stands with its back to a wall: cupboards, shelves, kitchen units, radiators
-  kBath,   ///< stands with its back to a wall of a bathroom
+  kBath,     ///< stands with its back to a wall of a bathroom
   kPlant,
   kSmall,  ///< stands about on the floor: bins, boxes, toys
   kBag,

@@ -107,8 +107,7 @@ TEST(MahalanobisEvidence, FallsStrictlyWithDistanceAndHasATop) {
   EXPECT_GT(MahalanobisEvidence(1), MahalanobisEvidence(1.01));
   EXPECT_TRUE(std::isfinite(MahalanobisEvidence(0)));
   EXPECT_THROW(MahalanobisEvidence(-1), std::invalid_argument);
-  EXPECT_THROW(MahalanobisEvidence(std::numeric_limits<double>::infinity()),
-               std::invalid_argument);
+  EXPECT_THROW(MahalanobisEvidence(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
 TEST(Calibration, ChoosesTheLowestThresholdThatKeepsTheRate) {

@@ -55,8 +55,8 @@ Model SampleModel() {
   model.clusters.gaussian = MahalanobisModel(mean, covariance);
   model.clusters.trees.feature_count = ClusterFeatureCount(model.clusters.iron, kUnits);
   model.clusters.trees.roots = {0};
-  model.clusters.trees.nodes = {{kClusterShapeFeatures + 1, 0.25F, 1, 0}, {-1, 0, 0, -0.5F},
-                                {-1, 0, 0, 0.75F}};
+  model.clusters.trees.nodes = {
+      {kClusterShapeFeatures + 1, 0.25F, 1, 0}, {-1, 0, 0, -0.5F}, {-1, 0, 0, 0.75F}};
   model.clusters.calibration.slope = 2.345;
   model.clusters.calibration.intercept = 1.0 / 3;
   model.clusters.calibration.operating_points = {{0.5, 0.1, 0.05}, {0.75, 0.01, 0.2}};

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/tools/common/lying_scene.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/tools/common/lying_scene.hpp"
 #include "tests/tools/compose/half_cylinder.hpp"
 #include "tools/frames/frame_source.hpp"
 

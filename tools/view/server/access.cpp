@@ -47,7 +47,8 @@ std::string_view QueryOf(std::string_view target) {
 
 bool IsLoopback(std::string_view host) {
   if (host == "localhost" || host == "::1" || host == "[::1]") return true;
-  return host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string_view::npos;
+  return host.starts_with("127.") &&
+         host.find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
 AccessVerdict Judge(const RequestOrigin& request, const AccessRules& rules) {
