@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fallen/classification/cluster_candidates.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "fallen/classification/calibration.hpp"
@@ -13,6 +14,20 @@ namespace {
 
 // Least score that trees can give.
 constexpr double kNoFloor = -1;
+
+// Of a person joined with a thing most of the score is the person's.
+Eigen::Vector3d ScoreWeightedMean(const SegmentedMap& segmented, const CellCluster& cluster) {
+  constexpr double kLeastWeight = 1e-3;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double weights = 0;
+  for (const std::int32_t index : cluster.cells) {
+    const ScoredCell& scored = segmented.cells[index];
+    const double weight = std::max<double>(scored.score, kLeastWeight);
+    sum += weight * scored.cell.mean.cast<double>();
+    weights += weight;
+  }
+  return sum / weights;
+}
 
 }  // namespace
 
@@ -63,6 +78,7 @@ std::span<const ClusterCandidate> CandidateFinder::ClustersAndParts(const Segmen
       Add(segmented, cluster, parts_.part(i), c, model);
     for (std::size_t i = first; i < count_; ++i) {
       ClusterCandidate& candidate = candidates_[i];
+      candidate.centroid = ScoreWeightedMean(segmented, candidate.cluster);
       ComputeClusterFeatures(scene, candidate.cluster, candidate.box, {cluster, box},
                              candidate.code, candidate.mahalanobis_distance, candidate.features);
     }

@@ -16,10 +16,12 @@ namespace fallen {
 /// A cluster, or a part of one, with all that it is judged by.
 struct ClusterCandidate {
   CellCluster cluster;
-  std::int32_t whole = 0;                              ///< index of the cluster in the map
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the cells' means, map frame [m]
-  OrientedBox box;                                     ///< FitUprightBox of `cluster`
-  Eigen::VectorXd code;                                ///< EncodeCluster of `cluster`
+  std::int32_t whole = 0;  ///< index of the cluster in the map
+  /// Mean of the cells' means [m], map frame; from ClustersAndParts weighted by score, so that it
+  /// is the person's where somebody is joined with a thing.
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  OrientedBox box;       ///< FitUprightBox of `cluster`
+  Eigen::VectorXd code;  ///< EncodeCluster of `cluster`
   double mahalanobis_distance = 0;
   Eigen::RowVectorXf features;  ///< ComputeClusterFeatures, or empty
 };

@@ -44,9 +44,10 @@ struct ClassificationConfig {
 
 /// A cluster, judged.
 struct PersonHypothesis {
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the cells' means, map frame [m]
-  OrientedBox box;                                     ///< smallest upright box around the cells
-  double probability = 0;                              ///< p(fallen | evidence)
+  /// Mean of the cells' means, weighted by score if trees judge the clusters, map frame [m].
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  OrientedBox box;         ///< smallest upright box around the cells
+  double probability = 0;  ///< p(fallen | evidence)
   double mahalanobis_distance = 0;
   std::int32_t cell_count = 0;
   double mean_score = 0;   ///< of the cell classifier, [-1, 1]

@@ -132,6 +132,36 @@ TEST(ClassifyClusters, LetsTheTreesDecideWhereThereAreSome) {
   EXPECT_EQ(decision.hypotheses[1].probability, model.calibration.Probability(-1));
 }
 
+// Cells along y from 0 to 0.35 m, of which the first two score ten times as high as the others.
+SegmentedMap PersonBesideAThing() {
+  SegmentedMap map = MapOf(1, 8);
+  map.ground.status = GroundStatus::kOk;
+  map.ground.plane = {Eigen::Vector3d::UnitZ(), 0};
+  for (std::size_t i = 0; i < 8; ++i) map.cells[i].score = i < 2 ? 1.0F : 0.1F;
+  return map;
+}
+
+TEST(ClassifyClusters, PlacesWhatTreesJudgeWhereTheScoreIs) {
+  const Decision decision = ClassifyClusters(PersonBesideAThing(), ModelWithTrees());
+  ASSERT_EQ(decision.hypotheses.size(), 1U);
+  const double expected = 0.05 * (0 + 1 + 0.1 * (2 + 3 + 4 + 5 + 6 + 7)) / (2 + 0.6);
+  EXPECT_NEAR(decision.hypotheses[0].centroid.y(), expected, 1e-6);
+}
+
+TEST(ClassifyClusters, PlacesWhatTheDistanceJudgesInTheMiddle) {
+  const Decision decision = ClassifyClusters(PersonBesideAThing(), SmallModel());
+  ASSERT_EQ(decision.hypotheses.size(), 1U);
+  EXPECT_NEAR(decision.hypotheses[0].centroid.y(), 0.05 * 3.5, 1e-6);
+}
+
+TEST(ClassifyClusters, NoScoreAtAllStillGivesAPlace) {
+  SegmentedMap map = PersonBesideAThing();
+  for (ScoredCell& cell : map.cells) cell.score = 0;
+  const Decision decision = ClassifyClusters(map, ModelWithTrees());
+  ASSERT_EQ(decision.hypotheses.size(), 1U);
+  EXPECT_NEAR(decision.hypotheses[0].centroid.y(), 0.05 * 3.5, 1e-6);
+}
+
 TEST(ClassifyClusters, JudgesPartsToo) {
   ClusterModel model = ModelWithTrees();
   // Shorter than 2.5 m is a person.
