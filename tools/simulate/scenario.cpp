@@ -86,6 +86,7 @@ void Scenario::Validate() const {
   Require(clutter >= 0 && clutter <= 50, "clutter", clutter, "0 to 50");
   Require(moved_furniture >= 0 && moved_furniture <= 1, "moved_furniture", moved_furniture,
           "0 to 1");
+  Require(black_cloth >= 0 && black_cloth <= 1, "black_cloth", black_cloth, "0 to 1");
   if (gets_up_after_s)
     Require(*gets_up_after_s > 0, "gets_up_after_s", *gets_up_after_s, "a number > 0");
   Require(frames > 0 && frames <= 100000, "frames", frames, "1 to 100000");

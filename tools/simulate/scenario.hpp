@@ -26,7 +26,8 @@ struct Scenario {
   int body = 1;        ///< which one, > 0
   PoseFamily pose = PoseFamily::kSupine;
   Placement placement = Placement::kFree;
-  bool blanket = false;           ///< over the person's legs
+  bool blanket = false;      ///< over the person's legs
+  double black_cloth = 0;    ///< chance of every cloth and thing to reflect next to nothing, [0, 1]
   bool half_hidden = false;  ///< drives, if there are some, past what hides half of the person
   /// From then on the person stands elsewhere in the room, or has left it if it is too full [s].
   std::optional<double> gets_up_after_s;
@@ -35,8 +36,8 @@ struct Scenario {
   int room = 1;                   ///< which one, > 0
   RoomKind room_kind = RoomKind::kAny;
   FurniturePool furniture_pool = FurniturePool::kTrain;
-  int clutter = 2;                       ///< small things standing about
-  double moved_furniture = 0;            ///< share of the room's pieces that stand elsewhere, [0, 1]
+  int clutter = 2;             ///< small things standing about
+  double moved_furniture = 0;  ///< share of the room's pieces that stand elsewhere, [0, 1]
   std::vector<std::string> distractors;  ///< kinds, see DistractorKinds()
   bool distractors_near = false;         ///< as near to the person as there is room
 
@@ -62,6 +63,7 @@ struct Scenario {
     visit("pose", pose);
     visit("placement", placement);
     visit("blanket", blanket);
+    visit("black_cloth", black_cloth);
     visit("half_hidden", half_hidden);
     visit("gets_up_after_s", gets_up_after_s);
     visit("yaw_deg", yaw_deg);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tools/simulate/black_cloth.hpp"
 #include "tools/simulate/distractors.hpp"
 #include "tools/simulate/lying_props.hpp"
 #include "tools/simulate/moved_furniture.hpp"
@@ -43,6 +44,13 @@ Eigen::Isometry3d Perturb(const Eigen::Isometry3d& T_robot_camera, double degree
   perturbed.rotate(Eigen::AngleAxisd(degrees * kRadPerDeg, direction()));
   perturbed.translation() += metres * direction();
   return perturbed;
+}
+
+BodyShape DressedBody(const Scenario& scenario) {
+  BodyShape shape = DrawBodyShape(scenario.body);
+  WearBlack(scenario.black_cloth,
+            Random::Stream(static_cast<std::uint64_t>(scenario.seed), "clothes"), shape);
+  return shape;
 }
 
 }  // namespace
@@ -130,7 +138,7 @@ void Simulation::AddPerson(const Assets& assets, ColumnGrid& grid) {
   const auto seed = static_cast<std::uint64_t>(scenario_.seed);
   Random pose_random = Random::Stream(seed, "pose_jitter");
   PersonMesh person =
-      MakeLyingPerson(assets.humans, DrawBodyShape(scenario_.body), scenario_.pose, pose_random);
+      MakeLyingPerson(assets.humans, DressedBody(scenario_), scenario_.pose, pose_random);
   settled_ = person.settled;
   if (scenario_.blanket)
     person.props.push_back({"blanket", MakeBlanketOver(person.mesh, pose_random)});
@@ -177,6 +185,8 @@ void Simulation::AddDistractors(const Assets& assets, ColumnGrid& grid) {
     }
     Distractor distractor =
         MakeDistractor(kind, assets.furniture, assets.humans, scenario_.furniture_pool, random);
+    CoverInBlack(scenario_.black_cloth, Random::Stream(seed, "cover-" + std::to_string(i)),
+                 distractor.mesh);
     const auto place = PlaceDistractor(distractor.mesh, grid, random);
     if (!place) continue;  // a full room stays as it is
     SceneObject object =
@@ -194,7 +204,7 @@ void Simulation::LetGetUp(const Assets& assets, ColumnGrid& grid) {
   std::vector<SceneObject>& objects = later_->scene.objects;
   const std::string name = objects[*person_].name;
   objects.erase(objects.begin() + static_cast<std::ptrdiff_t>(*person_));
-  TriangleMesh standing = MakeStandingPerson(assets.humans, DrawBodyShape(scenario_.body), random);
+  TriangleMesh standing = MakeStandingPerson(assets.humans, DressedBody(scenario_), random);
   const auto place =
       PlaceOnFloor(standing, Placement::kFree, std::nullopt, grid, later_->scene, random);
   if (!place) return;
