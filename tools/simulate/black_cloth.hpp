@@ -7,8 +7,8 @@
 #include "tools/simulate/triangle_mesh.hpp"
 
 /// Cloth and hair from which next to no near infrared comes back: both kinds of sensor see holes
-/// there, at grazing incidence and from afar first. Of two real persons on the floor a Kinect 2 saw
-/// little more than trunk and head.
+/// there, at grazing incidence and from afar first. Of one of two real persons on the floor a
+/// Kinect 2 saw hardly a leg.
 namespace fallen::sim {
 
 /// Makes each of top, trousers and hair black with a chance in [0, 1]. Other draws stay as they
