@@ -26,8 +26,10 @@ struct Scenario {
   int body = 1;        ///< which one, > 0
   PoseFamily pose = PoseFamily::kSupine;
   Placement placement = Placement::kFree;
-  bool blanket = false;      ///< over the person's legs
-  double black_cloth = 0;    ///< chance of every cloth and thing to reflect next to nothing, [0, 1]
+  bool blanket = false;  ///< over the person's legs
+  /// Chance of each cloth of the fallen person and of each distractor to reflect next to nothing,
+  /// [0, 1]. Blankets and people on furniture stay as they are.
+  double black_cloth = 0;
   bool half_hidden = false;  ///< drives, if there are some, past what hides half of the person
   /// From then on the person stands elsewhere in the room, or has left it if it is too full [s].
   std::optional<double> gets_up_after_s;
