@@ -106,6 +106,9 @@ model_t ToMessage(const Model& model) {
   checks::CheckText(kModel + ".description", message.description, limits::kMaxTextBytes);
   message.cell_size_m = model.cells.cell_size_m;
   message.iron = IronToMessage(model.cells.iron);
+  message.gate_trees = TreesToMessage(model.cells.gate.trees);
+  message.gate_min_score = model.cells.gate.min_score;
+  message.gate_turned_away_score = model.cells.gate.turned_away_score;
   message.features = static_cast<std::int32_t>(model.cells.features);
   message.cell_trees = TreesToMessage(model.cells.trees);
   SegmentationToMessage(model.segmentation, message);
@@ -120,6 +123,9 @@ Model FromMessage(const model_t& message) {
   CheckCellSize(kModel, message.cell_size_m);
   model.cells.cell_size_m = message.cell_size_m;
   model.cells.iron = IronFromMessage(kModel, message.iron);
+  model.cells.gate.trees = TreesFromMessage(kModel + ".gate_trees", message.gate_trees);
+  model.cells.gate.min_score = message.gate_min_score;
+  model.cells.gate.turned_away_score = message.gate_turned_away_score;
   checks::InRange(kModel + ".features", message.features, 0,
                   static_cast<int>(CellFeatureSet::kIronAndShape));
   model.cells.features = static_cast<CellFeatureSet>(message.features);

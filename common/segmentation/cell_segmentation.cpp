@@ -71,6 +71,7 @@ void CellModel::Validate() const {
     Fail("the model's features are " + std::to_string(static_cast<int>(features)) +
          ", must be in [0, 1]");
   iron.Validate();
+  gate.Validate();
   trees.Validate();
   if (trees.roots.empty()) Fail("the model has no trees");
   const int expected = CellFeatureCount(iron, features);
@@ -97,6 +98,7 @@ CellSegmenter::CellSegmenter(const CellModel& model, const SegmentationConfig& c
       cell_size_m_(model.cell_size_m),
       signs_(model.signs),
       features_(model.features),
+      gate_keeper_(model.gate),
       scorer_(model.trees),
       describer_(model.iron, model.signs) {
   config_.Validate();
@@ -114,41 +116,85 @@ void CellSegmenter::FindWanted(const NdtMap& map, std::span<const std::uint8_t> 
       is_wanted_[i] = 0;
 }
 
-void CellSegmenter::FindDescribed(const IronDescriptors& descriptors) {
-  described_.clear();
-  for (std::size_t i = 0; i < descriptors.neighbor_counts.size(); ++i)
-    if (descriptors.valid(i)) described_.push_back(static_cast<std::int32_t>(i));
+// Lets the gate look at the wanted cells; those that it turns away are not wanted any more.
+void CellSegmenter::PassGate(const NdtMap& map) {
+  at_gate_.clear();
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (is_wanted_[i] && normals_[i].usable) at_gate_.push_back(static_cast<std::int32_t>(i));
+  const CellGate& gate = gate_keeper_.gate();
+  if (gate.is_open() && features_ == CellFeatureSet::kIron) return;
+  ComputeShapeFeatures(map, normals_, at_gate_, shapes_);
+  const std::span<const float> scores =
+      gate_keeper_.Score(map, shapes_.matrix.topRows(static_cast<Eigen::Index>(at_gate_.size())));
+  for (std::size_t k = 0; k < scores.size(); ++k)
+    if (!gate.Passes(scores[k])) is_wanted_[at_gate_[k]] = 0;
 }
 
+void CellSegmenter::FindJudged(const IronDescriptors& descriptors) {
+  judged_.clear();
+  scores_.clear();
+  may_be_person_.clear();
+  described_.clear();
+  described_shape_.clear();
+  for (std::size_t k = 0; k < at_gate_.size(); ++k) {
+    const std::int32_t cell = at_gate_[k];
+    const bool has_passed = is_wanted_[cell] != 0;
+    if (has_passed && !descriptors.valid(cell)) continue;
+    judged_.push_back(cell);
+    may_be_person_.push_back(has_passed ? 1 : 0);
+    scores_.push_back(static_cast<float>(gate_keeper_.gate().turned_away_score));
+    if (!has_passed) continue;
+    described_.push_back(cell);
+    described_shape_.push_back(static_cast<std::int32_t>(k));
+  }
+}
+
+void CellSegmenter::ScoreDescribed(const IronDescriptors& descriptors) {
+  if (features_ == CellFeatureSet::kIron)
+    TakeDescriptors(descriptors, described_, cell_features_);
+  else
+    JoinCellFeatures(descriptors, described_, shapes_.matrix, described_shape_, cell_size_m_,
+                     cell_features_);
+  scorer_.Score(cell_features_.topRows(static_cast<Eigen::Index>(described_.size())),
+                described_scores_);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < judged_.size(); ++k)
+    if (may_be_person_[k]) scores_[k] = described_scores_[next++];
+}
+
+// What was turned away has a say in its neighbours' scores, but keeps its own.
 void CellSegmenter::SmoothScores() {
-  if (config_.smoothing_radius_m == 0 || described_.empty()) return;
-  // The descriptors' tiles are over the usable cells, of which the described ones are some.
+  if (config_.smoothing_radius_m == 0 || judged_.empty()) return;
+  // The descriptors' tiles are over the usable cells, of which the judged ones are some.
   const std::span<const std::int32_t> usable = describer_.usable();
   usable_scores_.assign(usable.size(), 0);
-  is_described_.assign(usable.size(), 0);
+  is_judged_.assign(usable.size(), 0);
   std::size_t k = 0;
-  for (std::size_t u = 0; u < usable.size() && k < described_.size(); ++u) {
-    if (usable[u] != described_[k]) continue;
+  for (std::size_t u = 0; u < usable.size() && k < judged_.size(); ++u) {
+    if (usable[u] != judged_[k]) continue;
     usable_scores_[u] = scores_[k++];
-    is_described_[u] = 1;
+    is_judged_[u] = 1;
   }
   const std::vector<float>& smoothed =
-      smoother_.Smooth(describer_.tiles(), usable_scores_, is_described_,
+      smoother_.Smooth(describer_.tiles(), usable_scores_, is_judged_,
                        static_cast<float>(config_.smoothing_radius_m));
   k = 0;
-  for (std::size_t u = 0; u < usable.size(); ++u)
-    if (is_described_[u]) scores_[k++] = smoothed[u];
+  for (std::size_t u = 0; u < usable.size(); ++u) {
+    if (!is_judged_[u]) continue;
+    if (may_be_person_[k]) scores_[k] = smoothed[u];
+    ++k;
+  }
 }
 
 void CellSegmenter::WriteCells(const NdtMap& visible, const GroundEstimate& ground,
                                std::vector<ScoredCell>& cells) {
   cells.clear();
-  is_too_high_.assign(described_.size(), 0);
-  for (std::size_t k = 0; k < described_.size(); ++k) {
-    const NdtCell& cell = visible.cells[described_[k]];
-    if (ground.ok())
-      is_too_high_[k] = ground.plane.SignedHeight(cell.mean.cast<double>()) > config_.max_height_m;
-    cells.push_back({cell, is_too_high_[k] ? kNeverPerson : scores_[k], -1});
+  for (std::size_t k = 0; k < judged_.size(); ++k) {
+    const NdtCell& cell = visible.cells[judged_[k]];
+    const bool is_too_high =
+        ground.ok() && ground.plane.SignedHeight(cell.mean.cast<double>()) > config_.max_height_m;
+    if (is_too_high) may_be_person_[k] = 0;
+    cells.push_back({cell, is_too_high ? kNeverPerson : scores_[k], -1});
   }
 }
 
@@ -167,7 +213,7 @@ void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMa
   candidates_.clear();
   candidate_means_.clear();
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (is_too_high_[k] || static_cast<double>(cells[k].score) < config_.min_score) continue;
+    if (!may_be_person_[k] || static_cast<double>(cells[k].score) < config_.min_score) continue;
     candidates_.push_back(static_cast<std::int32_t>(k));
     candidate_means_.push_back(cells[k].cell.mean);
   }
@@ -199,7 +245,7 @@ void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMa
     GrowDescriptors(cluster, descriptors.values.cols());
     for (std::size_t k = 0; k < cluster.cells.size(); ++k)
       cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
-          descriptors.values.row(described_[cluster.cells[k]]);
+          descriptors.values.row(judged_[cluster.cells[k]]);
   }
 }
 
@@ -222,13 +268,13 @@ void CellSegmenter::Segment(const ForegroundMap& foreground, SegmentedMap& segme
   ComputeNormals(visible.cells, describer_.config(), normals_);
   if (signs_ == NormalSigns::kOriented)
     OrientNormals(visible.cells, map.T_map_camera.translation().cast<float>(), normals_);
+  double iron_ms = stopwatch.Lap();
+  PassGate(visible);
+  double cells_ms = stopwatch.Lap();
   const IronDescriptors& descriptors = describer_.Describe(visible.cells, normals_, is_wanted_);
-  const double iron_ms = stopwatch.Lap();
-
-  FindDescribed(descriptors);
-  ComputeCellFeatures(visible, normals_, descriptors, described_, features_, cell_features_);
-  scorer_.Score(cell_features_.matrix.topRows(static_cast<Eigen::Index>(described_.size())),
-                scores_);
+  iron_ms += stopwatch.Lap();
+  FindJudged(descriptors);
+  ScoreDescribed(descriptors);
   SmoothScores();
 
   segmented.cell_size_m = map.cell_size_m;
@@ -239,7 +285,7 @@ void CellSegmenter::Segment(const ForegroundMap& foreground, SegmentedMap& segme
   segmented.background = foreground.status;
   segmented.iron = describer_.config();
   WriteCells(visible, map.ground, segmented.cells);
-  const double cells_ms = stopwatch.Lap();
+  cells_ms += stopwatch.Lap();
 
   ClusterCells(descriptors, segmented);
   if (times) *times = {iron_ms, cells_ms, stopwatch.Lap()};

@@ -10,6 +10,7 @@
 #include "fallen/segmentation/background_subtraction.hpp"
 #include "fallen/segmentation/boosted_trees.hpp"
 #include "fallen/segmentation/cell_features.hpp"
+#include "fallen/segmentation/cell_gate.hpp"
 
 namespace fallen {
 
@@ -20,6 +21,7 @@ struct CellModel {
   /// Oriented to where the camera of the frame is, of cells seen earlier too. Of experiments only:
   /// model files are of arbitrary signs.
   NormalSigns signs = NormalSigns::kArbitrary;
+  CellGate gate;  ///< which cells get a descriptor at all
   CellFeatureSet features = CellFeatureSet::kIron;
   BoostedTrees trees;
 
@@ -57,7 +59,7 @@ struct SegmentationConfig {
 /// A foreground cell after classification, smoothing and clustering.
 struct ScoredCell {
   NdtCell cell;
-  float score = 0;            ///< smoothed, [-1, 1]; NaN never
+  float score = 0;            ///< smoothed, or the gate's, [-1, 1]; NaN never
   std::int32_t cluster = -1;  ///< index into `clusters`, or -1
 
   bool operator==(const ScoredCell&) const = default;
@@ -86,8 +88,9 @@ struct SegmentedMap {
   GroundEstimate ground;  ///< plane in the map frame
   BackgroundStatus background = BackgroundStatus::kNoEnvironmentMap;
   IronConfig iron;  ///< how `descriptors` were computed
-  std::vector<ScoredCell>
-      cells;  ///< foreground cells with a descriptor; not far above `max_height_m`
+  /// Foreground cells that the gate turned away or that have a descriptor; not far above
+  /// `max_height_m`.
+  std::vector<ScoredCell> cells;
   std::vector<CellCluster> clusters;
 };
 

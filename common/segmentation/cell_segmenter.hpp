@@ -30,7 +30,9 @@ class CellSegmenter {
 
  private:
   void FindWanted(const NdtMap& map, std::span<const std::uint8_t> is_foreground);
-  void FindDescribed(const IronDescriptors& descriptors);
+  void PassGate(const NdtMap& map);
+  void FindJudged(const IronDescriptors& descriptors);
+  void ScoreDescribed(const IronDescriptors& descriptors);
   void SmoothScores();
   void WriteCells(const NdtMap& visible, const GroundEstimate& ground,
                   std::vector<ScoredCell>& cells);
@@ -41,18 +43,24 @@ class CellSegmenter {
   double cell_size_m_;
   NormalSigns signs_;
   CellFeatureSet features_;
+  GateKeeper gate_keeper_;
   TreeScorer scorer_;
   IronDescriber describer_;
   ScoreSmoother smoother_;
   NdtMap foreground_only_;
   std::vector<std::uint8_t> is_wanted_;
   std::vector<CellNormal> normals_;
-  std::vector<std::int32_t> described_;  // cells with a descriptor
-  CellFeatures cell_features_;           // of those
-  std::vector<float> scores_;            // likewise
-  std::vector<std::uint8_t> is_too_high_;
-  std::vector<float> usable_scores_;  // by the describer's usable cells
-  std::vector<std::uint8_t> is_described_;
+  std::vector<std::int32_t> at_gate_;          // usable cells that are wanted
+  ShapeFeatures shapes_;                       // of those, if anybody asks
+  std::vector<std::int32_t> judged_;           // cells that were turned away or have a descriptor
+  std::vector<float> scores_;                  // of those
+  std::vector<std::uint8_t> may_be_person_;    // likewise
+  std::vector<std::int32_t> described_;        // cells with a descriptor
+  std::vector<std::int32_t> described_shape_;  // rows in `shapes_` of those
+  FeatureMatrix cell_features_;                // likewise
+  std::vector<float> described_scores_;        // likewise
+  std::vector<float> usable_scores_;           // by the describer's usable cells
+  std::vector<std::uint8_t> is_judged_;        // likewise
   PointClusterer clusterer_;
   std::vector<std::int32_t> candidates_;  // scored cells that may be a person's
   std::vector<Eigen::Vector3f> candidate_means_;

@@ -24,6 +24,18 @@ BoostedTrees SyntheticTrees(int feature_count) {
   return trees;
 }
 
+/// Turns away what is higher than a fallen person.
+CellGate SyntheticGate() {
+  CellGate gate;
+  gate.trees.feature_count = kShapeFeatureCount;
+  gate.trees.roots = {0};
+  constexpr int kHeight = 3;
+  gate.trees.nodes = {{kHeight, 0.7F, 1, 0}, {-1, 0, 0, 1}, {-1, 0, 0, -1}};
+  gate.min_score = 0;
+  gate.turned_away_score = -0.1;
+  return gate;
+}
+
 }  // namespace
 
 Model SyntheticModel(double cell_size_m) {
@@ -31,6 +43,7 @@ Model SyntheticModel(double cell_size_m) {
   model.description = "synthetic, for tests";
   model.cells.cell_size_m = cell_size_m;
   model.cells.trees = SyntheticTrees(CellFeatureCount(model.cells.iron, model.cells.features));
+  model.cells.gate = SyntheticGate();
   model.clusters.iron = model.cells.iron;
 
   std::mt19937 generator(kSeed);

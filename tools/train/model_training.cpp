@@ -7,6 +7,7 @@
 #include "fallen/service/config_text.hpp"
 #include "tools/train/cell_training.hpp"
 #include "tools/train/cluster_training.hpp"
+#include "tools/train/gate_training.hpp"
 
 namespace fallen {
 namespace {
@@ -71,6 +72,15 @@ double CellError(const CellModel& model, const CellSamples& samples) {
   return wrong / all;
 }
 
+nlohmann::json GateReport(const CellGate& gate, const CellSamples& unseen) {
+  const GateFigures figures = MeasureGate(gate, unseen);
+  return {{"trees", gate.trees.roots.size()},
+          {"min_score", gate.min_score},
+          {"turned_away_score", gate.turned_away_score},
+          {"validation_person_share_passed", figures.person_share},
+          {"validation_other_share_passed", figures.other_share}};
+}
+
 }  // namespace
 
 TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
@@ -106,6 +116,7 @@ TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
   result.report = {{"training", DataReport(training)},
                    {"validation", DataReport(validation)},
                    {"settings", ConfigText(config)},
+                   {"gate", GateReport(model.cells.gate, unseen)},
                    {"cells",
                     {{"training_samples", samples.labels.size()},
                      {"training_error", CellError(model.cells, samples)},
@@ -133,7 +144,7 @@ TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
 
 std::string SummaryText(const nlohmann::json& report) {
   std::string text;
-  for (const char* part : {"training", "validation", "cells", "clusters"})
+  for (const char* part : {"training", "validation", "gate", "cells", "clusters"})
     text += std::string(part) + " " + report.at(part).dump() + "\n";
   nlohmann::json figures = report.at("validation_figures");
   figures.erase("operating_points");

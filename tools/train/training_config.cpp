@@ -19,6 +19,10 @@ void Require(bool holds, const std::string& what) {
 void TrainingConfig::Validate() const {
   Require(observation.frame_stride >= 1, "observation: frame_stride must be >= 1");
   Require(observation.single_frame_stride >= 0, "observation: single_frame_stride must be >= 0");
+  Require(sampling.gate_person_share > 0 && sampling.gate_person_share <= 1,
+          "sampling: gate_person_share must be in (0, 1]");
+  Require(sampling.gate_person_share == 1 || sampling.features == CellFeatureSet::kIronAndShape,
+          "sampling: gate_person_share must be 1 where features is iron: the gate looks at shape");
   Require(sampling.max_person_cells > 0, "sampling: max_person_cells must be > 0");
   Require(sampling.max_other_cells > 0, "sampling: max_other_cells must be > 0");
   Require(sampling.codebook_cells >= codebook.max_units,
@@ -26,6 +30,7 @@ void TrainingConfig::Validate() const {
   Require(sampling.alpha >= 0 && sampling.alpha < 1, "sampling: alpha must be in [0, 1)");
   Require(sampling.min_person_share > 0 && sampling.min_person_share <= 1,
           "sampling: min_person_share must be in (0, 1]");
+  gate_boosting.Validate();
   boosting.Validate();
   cluster_boosting.Validate();
   segmentation.Validate();

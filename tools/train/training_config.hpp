@@ -37,6 +37,9 @@ constexpr auto EnumNames(PositiveCells) {
 struct SamplingConfig {
   CellFeatureSet features = CellFeatureSet::kIronAndShape;
   PositiveCells positives = PositiveCells::kInScene;
+  /// The gate lets so many of the persons' cells pass, (0, 1]; 1: there is no gate, as in the
+  /// paper.
+  double gate_person_share = 0.9995;
   int max_person_cells = 400000;  ///< drawn from all frames alike
   int max_other_cells = 800000;
   int codebook_cells = 100000;  ///< descriptors shown to the codebook
@@ -50,6 +53,7 @@ struct SamplingConfig {
   void Visit(Visitor&& visit) {
     visit("features", features);
     visit("positives", positives);
+    visit("gate_person_share", gate_person_share);
     visit("max_person_cells", max_person_cells);
     visit("max_other_cells", max_other_cells);
     visit("codebook_cells", codebook_cells);
@@ -64,6 +68,7 @@ struct SamplingConfig {
 struct TrainingConfig {
   ObservationConfig observation;
   SamplingConfig sampling;
+  BoostingConfig gate_boosting{.rounds = 16, .max_depth = 4, .min_leaf_weight = 1e-3};
   BoostingConfig boosting;
   BoostingConfig cluster_boosting{
       .rounds = 300, .max_depth = 3, .min_leaf_weight = 1e-3, .learning_rate = 0.1};
@@ -79,6 +84,7 @@ struct TrainingConfig {
   void Visit(Visitor&& visit) {
     visit("observation", observation);
     visit("sampling", sampling);
+    visit("gate_boosting", gate_boosting);
     visit("boosting", boosting);
     visit("cluster_boosting", cluster_boosting);
     visit("segmentation", segmentation);

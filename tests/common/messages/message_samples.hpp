@@ -181,6 +181,9 @@ inline model_t SampleModelMessage() {
   model.cell_trees.node_left = {1, 0, 0};
   model.cell_trees.node_value = {0, -1, 1};
   model.cluster_trees = model.cell_trees;
+  model.gate_trees = model.cell_trees;
+  model.gate_min_score = -0.25;
+  model.gate_turned_away_score = -0.5;
   model.dimension = 4;
   model.unit_count = 2;
   model.codebook = {{1, 0, 0, 0}, {0, 1, 0, 0}};

@@ -30,6 +30,11 @@ Model SampleModel() {
   model.cells.iron.radius_m = 0.45;
   model.cells.iron.distance_bins = 2;
   model.cells.iron.angle_bins = 3;
+  model.cells.gate.trees.feature_count = kShapeFeatureCount;
+  model.cells.gate.trees.roots = {0};
+  model.cells.gate.trees.nodes = {{3, 0.7f, 1, 0}, {-1, 0, 0, 0.4f}, {-1, 0, 0, -0.9f}};
+  model.cells.gate.min_score = -0.345;
+  model.cells.gate.turned_away_score = -0.123;
   model.cells.trees.feature_count = model.cells.iron.dimension();
   model.cells.trees.roots = {0, 3};
   model.cells.trees.nodes = {
@@ -67,6 +72,9 @@ void ExpectEqual(const Model& a, const Model& b) {
   EXPECT_EQ(a.description, b.description);
   EXPECT_EQ(a.cells.cell_size_m, b.cells.cell_size_m);
   EXPECT_EQ(a.cells.iron, b.cells.iron);
+  EXPECT_EQ(a.cells.gate.trees, b.cells.gate.trees);
+  EXPECT_EQ(a.cells.gate.min_score, b.cells.gate.min_score);
+  EXPECT_EQ(a.cells.gate.turned_away_score, b.cells.gate.turned_away_score);
   EXPECT_EQ(a.cells.features, b.cells.features);
   EXPECT_EQ(a.cells.trees, b.cells.trees);
   EXPECT_EQ(a.segmentation, b.segmentation);
@@ -89,6 +97,12 @@ TEST(ModelConversion, RefusesEachBadField) {
       {"description", [](auto& m) { m.description = "\x03"; }},
       {"cell_size_m", [](auto& m) { m.cell_size_m = 0; }},
       {"iron.radius_m", [=](auto& m) { m.iron.radius_m = kNan; }},
+      {"gate_trees.node_count", [](auto& m) { m.gate_trees.node_left.pop_back(); }},
+      {"cell_gate", [](auto& m) { m.gate_trees.feature_count = 11; }},
+      {"boosted_trees", [](auto& m) { m.gate_trees.node_feature[0] = 10; }},
+      {"cell_gate: min_score", [](auto& m) { m.gate_min_score = -1.1; }},
+      {"cell_gate: min_score", [=](auto& m) { m.gate_min_score = kNan; }},
+      {"turned_away_score", [](auto& m) { m.gate_turned_away_score = 1.1; }},
       {"features", [](auto& m) { m.features = 2; }},
       {"features", [](auto& m) { m.features = -1; }},
       {"tree_count", [](auto& m) { m.cell_trees.tree_count = 3; }},
@@ -166,10 +180,10 @@ TEST(ModelFile, GivesBackWhatWasSavedAndNamesWhatIsWrong) {
       path.string() + ": first bytes: got \"FALLENEM\", expected \"FALLENMD\" of a model file");
   model_t message = ToMessage(SampleModel());
   message.features = 9;
-  WriteContainer(path, {"FALLENMD", "", 2}, EncodeMessage(message));
-  EXPECT_EQ(error_of(), path.string() + ": model_t.features: got 9, expected 0 to 1");
   WriteContainer(path, {"FALLENMD", "", 3}, EncodeMessage(message));
-  EXPECT_EQ(error_of(), path.string() + ": version: got 3, expected 2");
+  EXPECT_EQ(error_of(), path.string() + ": model_t.features: got 9, expected 0 to 1");
+  WriteContainer(path, {"FALLENMD", "", 2}, EncodeMessage(message));
+  EXPECT_EQ(error_of(), path.string() + ": version: got 2, expected 3");
   std::filesystem::remove(path);
   EXPECT_EQ(error_of(), path.string() + ": cannot open: No such file or directory");
 }

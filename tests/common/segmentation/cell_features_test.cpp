@@ -53,52 +53,55 @@ TEST(ComputeCellFeatures, BeginsWithTheDescriptor) {
 }
 
 TEST(ComputeCellFeatures, DescribesShapeAndHeight) {
-  const FeatureMatrix features = FeaturesOf(Scene(), CellFeatureSet::kIronAndShape).rightCols(11);
+  const FeatureMatrix all = FeaturesOf(Scene(), CellFeatureSet::kIronAndShape);
+  const FeatureMatrix features = all.rightCols(kShapeFeatureCount);
   for (Eigen::Index i = 0; i < features.rows(); ++i) {
     EXPECT_NEAR(features(i, 0), 0.002 * 0.002 / (0.015 * 0.015), 1e-4);
     EXPECT_NEAR(features(i, 1), 1, 1e-4);
     EXPECT_NEAR(features(i, 2), 0.015, 1e-5);
-    EXPECT_NEAR(features(i, 5), i == 512 ? 0 : 1, 1e-4);
-    EXPECT_NEAR(features(i, 4), i < 256 ? 0.7 : i < 512 ? 0.2 : 1.2, 1e-5);
+    EXPECT_NEAR(features(i, 4), i == 512 ? 0 : 1, 1e-4);
+    EXPECT_NEAR(features(i, 3), i < 256 ? 0.7 : i < 512 ? 0.2 : 1.2, 1e-5);
   }
   // The middle of a plate of cells: every place of the disc is taken, on the other plate some too.
   const Eigen::Index middle = 8 * 16 + 8;
-  EXPECT_GT(features(middle, 3), 0.5F);
-  EXPECT_LT(features(middle, 3), 2.0F);
+  EXPECT_GT(all(middle, kDescriptor), 0.5F);
+  EXPECT_LT(all(middle, kDescriptor), 2.0F);
 }
 
 TEST(ComputeCellFeatures, DescribesWhatStandsAround) {
-  const FeatureMatrix features = FeaturesOf(Scene(), CellFeatureSet::kIronAndShape).rightCols(11);
+  const FeatureMatrix features =
+      FeaturesOf(Scene(), CellFeatureSet::kIronAndShape).rightCols(kShapeFeatureCount);
   // The table's far corner: nothing below it.
+  EXPECT_NEAR(features(0, 5), 0, 1e-5);
   EXPECT_NEAR(features(0, 6), 0, 1e-5);
-  EXPECT_NEAR(features(0, 7), 0, 1e-5);
   // The table over the box.
   const Eigen::Index over = 12 * 16 + 4;
-  EXPECT_NEAR(features(over, 6), 0, 1e-5);
-  EXPECT_NEAR(features(over, 7), 0.5, 1e-5);
+  EXPECT_NEAR(features(over, 5), 0, 1e-5);
+  EXPECT_NEAR(features(over, 6), 0.5, 1e-5);
   // The box under the table.
   const Eigen::Index under = 256 + 2 * 16 + 4;
-  EXPECT_NEAR(features(under, 6), 0.5, 1e-5);
-  EXPECT_NEAR(features(under, 7), 0, 1e-5);
-  EXPECT_NEAR(features(under, 8), 0.7, 1e-5);
-  EXPECT_GT(features(under, 9), 0.2F);
-  EXPECT_LT(features(under, 9), 0.7F);
+  EXPECT_NEAR(features(under, 5), 0.5, 1e-5);
+  EXPECT_NEAR(features(under, 6), 0, 1e-5);
+  EXPECT_NEAR(features(under, 7), 0.7, 1e-5);
+  EXPECT_GT(features(under, 8), 0.2F);
+  EXPECT_LT(features(under, 8), 0.7F);
   // The box's far corner, clear of the table: a quarter of its disc is covered.
   const Eigen::Index corner = 256 + 15 * 16;
-  EXPECT_NEAR(features(corner, 8), 0.2, 1e-5);
-  EXPECT_NEAR(features(corner, 10), 0.3, 0.1);
+  EXPECT_NEAR(features(corner, 7), 0.2, 1e-5);
+  EXPECT_NEAR(features(corner, 9), 0.3, 0.1);
   // The wall cell rises above the table within its reach.
-  EXPECT_NEAR(features(512, 6), 0, 1e-5);
-  EXPECT_NEAR(features(512, 8), 1.2, 1e-5);
+  EXPECT_NEAR(features(512, 5), 0, 1e-5);
+  EXPECT_NEAR(features(512, 7), 1.2, 1e-5);
 }
 
 TEST(ComputeCellFeatures, StaysFiniteWithoutAFloor) {
   NdtMap map = Scene();
   map.ground.status = GroundStatus::kNoFloorInView;
-  const FeatureMatrix features = FeaturesOf(map, CellFeatureSet::kIronAndShape).rightCols(11);
+  const FeatureMatrix features =
+      FeaturesOf(map, CellFeatureSet::kIronAndShape).rightCols(kShapeFeatureCount);
   EXPECT_TRUE(features.allFinite());
   EXPECT_TRUE(features.rightCols(7).isZero(0));
-  EXPECT_GT(features.topLeftCorner(512, 4).minCoeff(), 0);
+  EXPECT_GT(features.topLeftCorner(512, 3).minCoeff(), 0);
 }
 
 TEST(ComputeCellFeatures, TakesRowsInTheOrderOfTheIndicesAndNone) {
@@ -113,7 +116,7 @@ TEST(ComputeCellFeatures, TakesRowsInTheOrderOfTheIndicesAndNone) {
   EXPECT_EQ(some.row(0), all.row(300));
   EXPECT_EQ(some.row(1), all.row(5));
   EXPECT_EQ(with({}).rows(), 0);
-  EXPECT_EQ(with({}).cols(), kDescriptor + 11);
+  EXPECT_EQ(with({}).cols(), kDescriptor + 1 + kShapeFeatureCount);
 }
 
 TEST(ComputeCellFeatures, RejectsSizesAndIndicesThatDoNotFit) {

@@ -48,6 +48,20 @@ CellModel LowCells() {
   return model;
 }
 
+// All cells are persons, but those above 0.5 m get no descriptor.
+CellModel GateToLowCells() {
+  CellModel model = LowCells();
+  model.trees.nodes = {{-1, 0, 0, 1}};
+  constexpr int kHeight = 3;
+  model.gate.trees.feature_count = kShapeFeatureCount;
+  model.gate.trees.roots = {0};
+  model.gate.trees.nodes = {{kHeight, 0.5F, 1, 0}, {-1, 0, 0, 1}, {-1, 0, 0, -1}};
+  model.gate.min_score = 0.5;
+  model.gate.turned_away_score = -0.25;
+  model.Validate();
+  return model;
+}
+
 TEST(SegmentCells, FindsTheTwoLowPlates) {
   const ForegroundMap foreground = Scene();
   LowCells().Validate();
@@ -138,6 +152,60 @@ TEST(SegmentCells, SmoothsScoresOverTheDescribedForeground) {
     has_mixed |= std::abs(smooth.cells[i].score) < 0.9F;
   }
   EXPECT_TRUE(has_mixed);
+}
+
+TEST(SegmentCells, TurnsCellsAwayAtTheGate) {
+  SegmentationConfig config;
+  config.min_score = -1;  // what was turned away is nobody's even so
+  const SegmentedMap gated = SegmentCells(Scene(), GateToLowCells(), config);
+  CellModel open = GateToLowCells();
+  open.gate = {};
+  config.max_height_m = 2;
+  const SegmentedMap all = SegmentCells(Scene(), open, config);
+  ASSERT_EQ(gated.cells.size(), all.cells.size());
+  EXPECT_EQ(all.clusters.size(), 3U);
+  ASSERT_EQ(gated.clusters.size(), 2U);
+  for (std::size_t k = 0; k < gated.cells.size(); ++k) {
+    const bool is_low = gated.cells[k].cell.mean.z() < 0.5F;
+    EXPECT_EQ(gated.cells[k].cell, all.cells[k].cell);
+    EXPECT_EQ(gated.cells[k].score, is_low ? 1 : -0.25F);
+    EXPECT_EQ(gated.cells[k].cluster < 0, !is_low);
+  }
+  // The neighbours of a cell are all there, whether they passed or not.
+  EXPECT_EQ(gated.clusters[0].MemberDescriptors(), all.clusters[0].MemberDescriptors());
+  EXPECT_EQ(gated.clusters[1].MemberDescriptors(), all.clusters[2].MemberDescriptors());
+}
+
+TEST(SegmentCells, LetsWhatWasTurnedAwayHaveItsSayInSmoothing) {
+  ForegroundMap foreground = Scene();
+  for (NdtCell& cell : foreground.map.cells)
+    if (cell.mean.x() > 0.3F) cell.mean.z() = 0.52F;
+  SegmentationConfig config;
+  config.smoothing_radius_m = 0.4;
+  const SegmentedMap segmented = SegmentCells(foreground, GateToLowCells(), config);
+  int mixed = 0;
+  for (const ScoredCell& cell : segmented.cells) {
+    if (cell.cell.mean.z() > 0.5F) {
+      EXPECT_EQ(cell.score, -0.25F);
+      continue;
+    }
+    double sum = 0;
+    int count = 0;
+    for (const ScoredCell& other : segmented.cells)
+      if ((other.cell.mean - cell.cell.mean).squaredNorm() <= 0.4F * 0.4F) {
+        sum += other.cell.mean.z() > 0.5F ? -0.25 : 1.0;
+        ++count;
+      }
+    EXPECT_NEAR(cell.score, sum / count, 1e-6);
+    mixed += cell.score < 0.9F ? 1 : 0;
+  }
+  EXPECT_GT(mixed, 10);
+}
+
+TEST(SegmentCells, LetsEveryCellPassWithoutAFloor) {
+  ForegroundMap no_floor = Scene();
+  no_floor.map.ground.status = GroundStatus::kNoFloorInView;
+  EXPECT_EQ(SegmentCells(no_floor, GateToLowCells(), {}).clusters.size(), 3U);
 }
 
 TEST(SegmentCells, PassesOverBackgroundCellsButLetsDescriptorsSeeThem) {
@@ -245,6 +313,7 @@ TEST(CellModel, ValidateRejectsPartsThatDoNotFit) {
   rejects([](auto& m) { m.features = static_cast<CellFeatureSet>(7); });
   rejects([](auto& m) { m.iron.angle_bins = 9; });
   rejects([](auto& m) { m.trees.roots.clear(); });
+  rejects([](auto& m) { m.gate.min_score = 2; });
   rejects([](auto& m) { m.trees.nodes[0].left = 2; });
 }
 
