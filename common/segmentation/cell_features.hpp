@@ -38,7 +38,7 @@ FeatureMatrix ComputeCellFeatures(const NdtMap& map, std::span<const CellNormal>
 /// Number of columns of ComputeCellFeatures.
 int CellFeatureCount(const IronConfig& iron, CellFeatureSet features);
 
-/// Likewise kIronAndShape, of shapes that are known, into memory that is there.
+/// ComputeCellFeatures of kIronAndShape, of shapes that are known, into memory that is there.
 /// @param shapes  Columns of ComputeShapeFeatures.
 /// @param shape_rows  Row in `shapes` of each cell of `indices`.
 /// @param matrix  Given as many rows as there are indices, and perhaps some more.
@@ -46,7 +46,7 @@ void JoinCellFeatures(const IronDescriptors& descriptors, std::span<const std::i
                       const FeatureMatrix& shapes, std::span<const std::int32_t> shape_rows,
                       double cell_size_m, FeatureMatrix& matrix);
 
-/// Likewise kIron.
+/// ComputeCellFeatures of kIron, likewise.
 void TakeDescriptors(const IronDescriptors& descriptors, std::span<const std::int32_t> indices,
                      FeatureMatrix& matrix);
 
