@@ -84,16 +84,24 @@ TreeScorer::TreeScorer(const BoostedTrees& model) : model_(model) {
   unit_ = 1 / steps;
 
   for (const std::int32_t root : model.roots) {
-    if (depth[root] > WalkTree::kDepth) {
+    const BoostedTrees::Node& node = model.nodes[root];
+    if (depth[root] <= WalkTree::kDepth)
+      walk_trees_.push_back(WalkTreeOf(root));
+    else if (depth[root] == WalkTree::kDepth + 1)
+      walk_forks_.push_back({WalkTreeOf(node.left), WalkTreeOf(node.left + 1), node.threshold,
+                             node.feature * kMostLanes});
+    else
       deep_roots_.push_back(root);
-      continue;
-    }
-    WalkTree& tree = walk_trees_.emplace_back();
-    tree.threshold.fill(kInfinity);
-    tree.feature.fill(0);
-    tree.vote.fill(0);
-    FillUp(root, 1, tree);
   }
+}
+
+WalkTree TreeScorer::WalkTreeOf(std::int32_t root) const {
+  WalkTree tree;
+  tree.threshold.fill(kInfinity);
+  tree.feature.fill(0);
+  tree.vote.fill(0);
+  FillUp(root, 1, tree);
+  return tree;
 }
 
 void TreeScorer::FillUp(std::int32_t from, std::uint32_t at, WalkTree& tree) const {
@@ -141,6 +149,7 @@ void TreeScorer::Score(const Eigen::Ref<const FeatureMatrix>& features,
     if (!MakeBlock(rows.data(), model_.feature_count, block)) Fail("a feature is not finite");
     std::array<std::int32_t, kMostLanes> sums{};
     AddVotes(walk_trees_.data(), static_cast<int>(walk_trees_.size()), block, sums.data());
+    AddVotes(walk_forks_.data(), static_cast<int>(walk_forks_.size()), block, sums.data());
     for (Eigen::Index lane = 0; lane < std::min<Eigen::Index>(kMostLanes, last + 1 - first);
          ++lane) {
       for (const std::int32_t root : deep_roots_) sums[lane] += VoteOfDeep(root, rows[lane]);

@@ -26,6 +26,7 @@ class TreeScorer {
   void Score(const Eigen::Ref<const FeatureMatrix>& features, std::vector<float>& scores) const;
 
  private:
+  WalkTree WalkTreeOf(std::int32_t root) const;
   void FillUp(std::int32_t from, std::uint32_t at, WalkTree& tree) const;
   std::int32_t VoteOfDeep(std::int32_t root, const float* row) const;
 
@@ -33,6 +34,7 @@ class TreeScorer {
   double unit_ = 0;                   // of the whole-number votes; 0: nobody votes
   std::vector<std::int32_t> votes_;   // by node of the model
   std::vector<WalkTree> walk_trees_;  // up to WalkTree::kDepth deep
+  std::vector<WalkFork> walk_forks_;  // one deeper
   std::vector<std::int32_t> deep_roots_;
 };
 

@@ -22,15 +22,27 @@ struct alignas(64) WalkTree {
   std::array<std::int32_t, 16> vote;     ///< by leaf
 };
 
+/// A decision tree of depth 5: a root with a tree to each side. Every row walks both and keeps the
+/// vote of its own side, which costs less than deeper trees that do not fit in registers.
+struct WalkFork {
+  WalkTree left, right;
+  float threshold;       ///< of the root, as WalkTree's
+  std::int32_t feature;  ///< of the root, as WalkTree's
+};
+
 /// Adds the trees' votes for kMostLanes rows.
 ///
 /// @param block  Value of feature f and row l at f * kMostLanes + l, aligned to 64 bytes; finite.
 /// @param sums   One a row.
 /// Votes are whole numbers, so that sums are exact and the same at every SimdLevel.
 void AddVotes(const WalkTree* trees, int tree_count, const float* block, std::int32_t* sums);
+/// Likewise of forks.
+void AddVotes(const WalkFork* forks, int fork_count, const float* block, std::int32_t* sums);
 
 /// The variants for wide registers.
 void AddVotesAvx2(const WalkTree* trees, int tree_count, const float* block, std::int32_t* sums);
 void AddVotesAvx512(const WalkTree* trees, int tree_count, const float* block, std::int32_t* sums);
+void AddVotesAvx2(const WalkFork* forks, int fork_count, const float* block, std::int32_t* sums);
+void AddVotesAvx512(const WalkFork* forks, int fork_count, const float* block, std::int32_t* sums);
 
 }  // namespace fallen

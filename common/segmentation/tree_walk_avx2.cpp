@@ -56,19 +56,37 @@ FALLEN_TARGET_AVX2 inline __m256i VoteOf(const WalkTree& tree, const float* bloc
       _mm256_blendv_ps(votes_of(tree.vote.data()), votes_of(tree.vote.data() + 8), right0));
 }
 
-}  // namespace
+FALLEN_TARGET_AVX2 inline __m256i VoteOf(const WalkFork& fork, const float* block) {
+  const __m256 right = _mm256_cmp_ps(_mm256_load_ps(block + fork.feature),
+                                     _mm256_broadcast_ss(&fork.threshold), _CMP_GT_OQ);
+  return _mm256_blendv_epi8(VoteOf(fork.left, block), VoteOf(fork.right, block),
+                            _mm256_castps_si256(right));
+}
 
-FALLEN_TARGET_AVX2 void AddVotesAvx2(const WalkTree* trees, int tree_count, const float* block,
-                                     std::int32_t* sums) {
+template <class Tree>
+FALLEN_TARGET_AVX2 void Add(const Tree* trees, int tree_count, const float* block,
+                            std::int32_t* sums) {
   auto* const left = reinterpret_cast<__m256i*>(sums);
   auto* const right = reinterpret_cast<__m256i*>(sums + 8);
   __m256i sum_left = _mm256_loadu_si256(left), sum_right = _mm256_loadu_si256(right);
-  for (const WalkTree* tree = trees; tree != trees + tree_count; ++tree) {
+  for (const Tree* tree = trees; tree != trees + tree_count; ++tree) {
     sum_left = _mm256_add_epi32(sum_left, VoteOf(*tree, block));
     sum_right = _mm256_add_epi32(sum_right, VoteOf(*tree, block + 8));
   }
   _mm256_storeu_si256(left, sum_left);
   _mm256_storeu_si256(right, sum_right);
+}
+
+}  // namespace
+
+FALLEN_TARGET_AVX2 void AddVotesAvx2(const WalkTree* trees, int tree_count, const float* block,
+                                     std::int32_t* sums) {
+  Add(trees, tree_count, block, sums);
+}
+
+FALLEN_TARGET_AVX2 void AddVotesAvx2(const WalkFork* forks, int fork_count, const float* block,
+                                     std::int32_t* sums) {
+  Add(forks, fork_count, block, sums);
 }
 
 }  // namespace fallen

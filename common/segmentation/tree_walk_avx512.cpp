@@ -52,14 +52,31 @@ FALLEN_TARGET_AVX512 inline __m512i VoteOf(const WalkTree& tree, const float* bl
   return _mm512_permutexvar_epi32(at, _mm512_load_si512(tree.vote.data()));  // at modulo 16
 }
 
+FALLEN_TARGET_AVX512 inline __m512i VoteOf(const WalkFork& fork, const float* block) {
+  const __mmask16 right = _mm512_cmp_ps_mask(_mm512_load_ps(block + fork.feature),
+                                             _mm512_set1_ps(fork.threshold), _CMP_GT_OQ);
+  return _mm512_mask_blend_epi32(right, VoteOf(fork.left, block), VoteOf(fork.right, block));
+}
+
+template <class Tree>
+FALLEN_TARGET_AVX512 void Add(const Tree* trees, int tree_count, const float* block,
+                              std::int32_t* sums) {
+  __m512i sum = _mm512_loadu_si512(sums);
+  for (const Tree* tree = trees; tree != trees + tree_count; ++tree)
+    sum = _mm512_add_epi32(sum, VoteOf(*tree, block));
+  _mm512_storeu_si512(sums, sum);
+}
+
 }  // namespace
 
 FALLEN_TARGET_AVX512 void AddVotesAvx512(const WalkTree* trees, int tree_count, const float* block,
                                          std::int32_t* sums) {
-  __m512i sum = _mm512_loadu_si512(sums);
-  for (const WalkTree* tree = trees; tree != trees + tree_count; ++tree)
-    sum = _mm512_add_epi32(sum, VoteOf(*tree, block));
-  _mm512_storeu_si512(sums, sum);
+  Add(trees, tree_count, block, sums);
+}
+
+FALLEN_TARGET_AVX512 void AddVotesAvx512(const WalkFork* forks, int fork_count, const float* block,
+                                         std::int32_t* sums) {
+  Add(forks, fork_count, block, sums);
 }
 
 }  // namespace fallen

@@ -125,7 +125,7 @@ TEST(PredictScores, GivesARowTheSameBitsInAnyCompany) {
 TEST(PredictScores, GivesTheSameBitsAtEverySimdLevel) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> uniform(-1, 1);
-  for (const int max_depth : {1, 4, 7}) {
+  for (const int max_depth : {1, 4, 5, 7}) {
     const BoostedTrees model = RandomTrees(60, 13, max_depth, random);
     FeatureMatrix features(101, 13);
     for (Eigen::Index i = 0; i < features.size(); ++i) features.data()[i] = uniform(random);
