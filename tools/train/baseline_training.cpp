@@ -22,6 +22,7 @@ ClusterSamples SamplesOf(const std::vector<BaselineRecording>& recordings) {
       part.features = frame.clusters.features;
       for (const Eigen::Vector3d& centroid : frame.clusters.centroids)
         part.labels.push_back(frame.person_box && frame.person_box->Contains(centroid) ? 1 : -1);
+      part.weights.assign(part.labels.size(), 1.0F);
     }
   return JoinSamples(parts);
 }

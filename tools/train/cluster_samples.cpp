@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/train/cluster_samples.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "fallen/classification/cluster_candidates.hpp"
@@ -25,6 +26,9 @@ ClusterSamples SampleFrame(const ObservedFrame& frame, const CellModel& cells,
     const bool is_person = frame.person_box && frame.person_box->Contains(candidate.centroid);
     samples.labels.push_back(is_person ? 1 : -1);
   }
+  const auto persons = std::count(samples.labels.begin(), samples.labels.end(), 1);
+  for (const std::int8_t label : samples.labels)
+    samples.weights.push_back(label > 0 ? 1.0F / static_cast<float>(persons) : 1.0F);
   return samples;
 }
 
@@ -45,6 +49,7 @@ ClusterSamples JoinSamples(std::span<const ClusterSamples> parts) {
   for (const ClusterSamples& part : parts) {
     samples.features.middleRows(rows, part.features.rows()) = part.features;
     samples.labels.insert(samples.labels.end(), part.labels.begin(), part.labels.end());
+    samples.weights.insert(samples.weights.end(), part.weights.begin(), part.weights.end());
     rows += part.features.rows();
   }
   return samples;

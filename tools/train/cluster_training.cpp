@@ -81,9 +81,13 @@ BoostedTrees TrainClusterTrees(const ClusterSamples& samples, const BoostingConf
     throw std::runtime_error("segmentation finds " + std::to_string(persons) + " persons and " +
                              std::to_string(others) +
                              " other clusters in the training frames, expected both");
+  double person_weight = 0, other_weight = 0;
+  for (std::size_t i = 0; i < samples.labels.size(); ++i)
+    (samples.labels[i] > 0 ? person_weight : other_weight) += samples.weights[i];
   std::vector<float> weights;
-  for (const std::int8_t label : samples.labels)
-    weights.push_back(0.5F / static_cast<float>(label > 0 ? persons : others));
+  for (std::size_t i = 0; i < samples.labels.size(); ++i)
+    weights.push_back(0.5F * samples.weights[i] /
+                      static_cast<float>(samples.labels[i] > 0 ? person_weight : other_weight));
   return TrainBoostedTrees(
       samples.features, samples.labels, weights, config,
       [&](const BoostingProgress& state) {
