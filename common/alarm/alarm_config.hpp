@@ -28,8 +28,8 @@ struct AlarmConfig {
   double match_distance_m = 0.8;  ///< along the floor, > 0: two persons nearer than this are one
 
   // When the alarm goes up and down: log-odds of all evidence, for so long.
-  double raise_log_odds = 3;
-  double on_delay_s = 0.3;    ///< >= 0
+  double raise_log_odds = 2;
+  double on_delay_s = 0.6;    ///< >= 0
   double clear_log_odds = 0;  ///< < raise_log_odds
   double off_delay_s = 1;     ///< >= 0
   /// Least time between two updates of an alarm [s], >= 0.
