@@ -62,6 +62,18 @@ CellModel GateToLowCells() {
   return model;
 }
 
+double MeanScoreWithin(float radius_m, const ScoredCell& center,
+                       const std::vector<ScoredCell>& cells) {
+  double sum = 0;
+  int count = 0;
+  for (const ScoredCell& cell : cells)
+    if ((cell.cell.mean - center.cell.mean).squaredNorm() <= radius_m * radius_m) {
+      sum += cell.score;
+      ++count;
+    }
+  return sum / count;
+}
+
 TEST(SegmentCells, FindsTheTwoLowPlates) {
   const ForegroundMap foreground = Scene();
   LowCells().Validate();
@@ -141,14 +153,7 @@ TEST(SegmentCells, SmoothsScoresOverTheDescribedForeground) {
   bool has_mixed = false;
   for (std::size_t i = 0; i < raw.cells.size(); ++i) {
     EXPECT_EQ(std::abs(raw.cells[i].score), 1);
-    double sum = 0;
-    int count = 0;
-    for (const ScoredCell& other : raw.cells)
-      if ((other.cell.mean - raw.cells[i].cell.mean).squaredNorm() <= 0.4F * 0.4F) {
-        sum += other.score;
-        ++count;
-      }
-    EXPECT_NEAR(smooth.cells[i].score, sum / count, 1e-6);
+    EXPECT_NEAR(smooth.cells[i].score, MeanScoreWithin(0.4F, raw.cells[i], raw.cells), 1e-6);
     has_mixed |= std::abs(smooth.cells[i].score) < 0.9F;
   }
   EXPECT_TRUE(has_mixed);
@@ -183,20 +188,15 @@ TEST(SegmentCells, LetsWhatWasTurnedAwayHaveItsSayInSmoothing) {
   SegmentationConfig config;
   config.smoothing_radius_m = 0.4;
   const SegmentedMap segmented = SegmentCells(foreground, GateToLowCells(), config);
+  config.smoothing_radius_m = 0;
+  const SegmentedMap raw = SegmentCells(foreground, GateToLowCells(), config);
   int mixed = 0;
   for (const ScoredCell& cell : segmented.cells) {
     if (cell.cell.mean.z() > 0.5F) {
       EXPECT_EQ(cell.score, -0.25F);
       continue;
     }
-    double sum = 0;
-    int count = 0;
-    for (const ScoredCell& other : segmented.cells)
-      if ((other.cell.mean - cell.cell.mean).squaredNorm() <= 0.4F * 0.4F) {
-        sum += other.cell.mean.z() > 0.5F ? -0.25 : 1.0;
-        ++count;
-      }
-    EXPECT_NEAR(cell.score, sum / count, 1e-6);
+    EXPECT_NEAR(cell.score, MeanScoreWithin(0.4F, cell, raw.cells), 1e-6);
     mixed += cell.score < 0.9F ? 1 : 0;
   }
   EXPECT_GT(mixed, 10);
