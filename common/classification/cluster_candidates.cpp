@@ -106,6 +106,11 @@ std::span<const double> EvidenceScorer::Score(std::span<const ClusterCandidate> 
     features_.row(i) = candidates[static_cast<std::size_t>(i)].features;
   scorer_.Score(features_.topRows(rows), scores_);
   evidence_.assign(scores_.begin(), scores_.end());
+  if (network_share_ > 0) {
+    network_.Score(features_.topRows(rows), network_scores_);
+    for (std::size_t i = 0; i < evidence_.size(); ++i)
+      evidence_[i] += network_share_ * (network_scores_[i] - evidence_[i]);
+  }
   return evidence_;
 }
 

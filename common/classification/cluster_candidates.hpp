@@ -61,19 +61,24 @@ class EvidenceScorer {
  public:
   /// @param model  Valid: see ClusterModel::Validate.
   explicit EvidenceScorer(const ClusterModel& model)
-      : scorer_(model.trees), has_trees_(!model.trees.roots.empty()) {}
+      : scorer_(model.trees),
+        has_trees_(!model.trees.roots.empty()),
+        network_(model.network),
+        network_share_(model.network.empty() ? 0 : model.network_share) {}
 
   /// Evidence as ClusterModel::calibration takes it, one value a candidate, until the next call:
-  /// the score of the model's trees, [-1, 1], or MahalanobisEvidence from a model without. A model
-  /// with trees gives -1 to candidates without features: without a floor nothing can be said to lie
-  /// on it.
+  /// the score of the model's trees, [-1, 1], or its mean with the network's by their shares, or
+  /// MahalanobisEvidence from a model without trees. A model with trees gives -1 to candidates
+  /// without features: without a floor nothing can be said to lie on it.
   std::span<const double> Score(std::span<const ClusterCandidate> candidates);
 
  private:
   TreeScorer scorer_;
   bool has_trees_;
+  NetworkScorer network_;
+  double network_share_;
   FeatureMatrix features_;
-  std::vector<float> scores_;
+  std::vector<float> scores_, network_scores_;
   std::vector<double> evidence_;
 };
 

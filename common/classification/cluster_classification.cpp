@@ -61,11 +61,20 @@ void ClusterModel::Validate() const {
     Fail("the gaussian has " + std::to_string(gaussian.mean().size()) +
          " dimensions, must be the codebook's " + std::to_string(codebook.rows()));
   calibration.Validate();
-  if (trees.roots.empty()) return;
+  network.Validate();
+  if (!(network_share >= 0 && network_share <= 1))
+    Fail("network_share is " + std::to_string(network_share) + ", must be in [0, 1]");
+  if (trees.roots.empty()) {
+    if (!network.empty()) Fail("there is a network, but no trees that it judges beside");
+    return;
+  }
   trees.Validate();
   const int expected = ClusterFeatureCount(iron, codebook.rows());
   if (trees.feature_count != expected)
     Fail("the trees take " + std::to_string(trees.feature_count) + " features, must be " +
+         std::to_string(expected));
+  if (!network.empty() && network.feature_count() != expected)
+    Fail("the network takes " + std::to_string(network.feature_count()) + " features, must be " +
          std::to_string(expected));
 }
 

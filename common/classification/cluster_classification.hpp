@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fallen/classification/calibration.hpp"
+#include "fallen/classification/feature_network.hpp"
 #include "fallen/classification/growing_neural_gas.hpp"
 #include "fallen/classification/mahalanobis.hpp"
 #include "fallen/geometry/oriented_box.hpp"
@@ -21,6 +22,9 @@ struct ClusterModel {
   /// Judges ComputeClusterFeatures. Without trees the Mahalanobis distance alone decides, as in the
   /// paper.
   BoostedTrees trees;
+  /// Judges the same beside the trees; empty: they alone.
+  FeatureNetwork network;
+  double network_share = 0;  ///< of the evidence, [0, 1]: the rest is the trees'
   Calibration calibration;
 
   void Validate() const;

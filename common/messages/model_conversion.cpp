@@ -50,30 +50,12 @@ void ClassifierToMessage(const ClusterModel& model, model_t& message) {
     checks::Fail(kModel + ".gaussian_mean", std::to_string(mean.size()) + " values",
                  std::to_string(units) + ", one a code word");
   message.gaussian_mean.assign(mean.data(), mean.data() + units);
-  for (Eigen::Index row = 0; row < units; ++row) {
-    const auto codeword = model.codebook.row(row);
-    message.codebook.emplace_back(codeword.data(), codeword.data() + codeword.size());
-    message.gaussian_covariance.emplace_back();
-    for (Eigen::Index column = 0; column < units; ++column)
-      message.gaussian_covariance.back().push_back(covariance(row, column));
-  }
+  message.codebook = RowsOfMatrix(model.codebook);
+  message.gaussian_covariance = RowsOfMatrix(covariance);
   message.cluster_trees = TreesToMessage(model.trees);
+  message.cluster_network = NetworkToMessage(model.network);
+  message.network_share = model.network_share;
   CalibrationToMessage(model.calibration, message);
-}
-
-// Rows of a matrix, each as long as it should be, all finite.
-template <class Matrix, class Value>
-Matrix MatrixFromRows(const std::string& field, const std::vector<std::vector<Value>>& rows,
-                      std::int64_t row_count, std::int64_t column_count) {
-  checks::Count(field + "'s rows", row_count, rows.size());
-  Matrix matrix(row_count, column_count);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    checks::Count(field + "'s columns", column_count, rows[row].size());
-    checks::AllFinite(field, std::span<const Value>(rows[row]));
-    for (std::size_t column = 0; column < rows[row].size(); ++column)
-      matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = rows[row][column];
-  }
-  return matrix;
 }
 
 ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iron) {
@@ -91,6 +73,8 @@ ClusterModel ClassifierFromMessage(const model_t& message, const IronConfig& iro
                        MatrixFromRows<Eigen::MatrixXd>(kModel + ".gaussian_covariance",
                                                        message.gaussian_covariance, units, units));
   model.trees = TreesFromMessage(kModel + ".cluster_trees", message.cluster_trees);
+  model.network = NetworkFromMessage(kModel + ".cluster_network", message.cluster_network);
+  model.network_share = message.network_share;
   model.calibration = CalibrationFromMessage(kModel, message);
   return model;
 }

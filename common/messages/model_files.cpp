@@ -8,7 +8,7 @@
 namespace fallen {
 namespace {
 
-constexpr ContainerKind kModelFile{"FALLENMD", "a model file", 3};
+constexpr ContainerKind kModelFile{"FALLENMD", "a model file", 4};
 constexpr ContainerKind kEnvironmentMapFile{"FALLENEM", "an environment map file", 1};
 
 }  // namespace

@@ -169,6 +169,19 @@ constexpr Field kTreesFields[] = {{kInt32, "feature_count"},
                                   {kFloat, "node_value", "node_count"}};
 constexpr Layout kTrees{"trees_t", kTreesFields};
 
+constexpr Field kNetworkLayerFields[] = {{kInt32, "input_count"},
+                                         {kInt32, "output_count"},
+                                         {kFloat, "weight", "input_count", "output_count"},
+                                         {kFloat, "bias", "output_count"}};
+constexpr Layout kNetworkLayer{"network_layer_t", kNetworkLayerFields};
+
+constexpr Field kNetworkFields[] = {{kInt32, "feature_count"},
+                                    {kFloat, "mean", "feature_count"},
+                                    {kFloat, "scale", "feature_count"},
+                                    {kInt32, "layer_count"},
+                                    {kStruct, "layers", "layer_count", 1, &kNetworkLayer}};
+constexpr Layout kNetwork{"network_t", kNetworkFields};
+
 constexpr Field kModelFields[] = {
     {kString, "description"},
     {kDouble, "cell_size_m"},
@@ -192,6 +205,8 @@ constexpr Field kModelFields[] = {
     {kDouble, "gaussian_mean", "unit_count"},
     {kDouble, "gaussian_covariance", "unit_count", "unit_count"},
     {kStruct, "cluster_trees", 1, 1, &kTrees},
+    {kStruct, "cluster_network", 1, 1, &kNetwork},
+    {kDouble, "network_share"},
     {kDouble, "calibration_slope"},
     {kDouble, "calibration_intercept"},
     {kInt32, "operating_point_count"},

@@ -33,6 +33,24 @@ IronDescriptors::Matrix ThinRows(const IronDescriptors::Matrix& rows, Eigen::Ind
   return kept;
 }
 
+// Of the samples, persons and others weighing the same; in all 1.
+std::vector<float> BalancedWeights(const ClusterSamples& samples) {
+  const auto persons = std::count(samples.labels.begin(), samples.labels.end(), 1);
+  const auto others = static_cast<std::int64_t>(samples.labels.size()) - persons;
+  if (persons == 0 || others == 0)
+    throw std::runtime_error("segmentation finds " + std::to_string(persons) + " persons and " +
+                             std::to_string(others) +
+                             " other clusters in the training frames, expected both");
+  double person_weight = 0, other_weight = 0;
+  for (std::size_t i = 0; i < samples.labels.size(); ++i)
+    (samples.labels[i] > 0 ? person_weight : other_weight) += samples.weights[i];
+  std::vector<float> weights;
+  for (std::size_t i = 0; i < samples.labels.size(); ++i)
+    weights.push_back(0.5F * samples.weights[i] /
+                      static_cast<float>(samples.labels[i] > 0 ? person_weight : other_weight));
+  return weights;
+}
+
 }  // namespace
 
 ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
@@ -75,25 +93,21 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
 
 BoostedTrees TrainClusterTrees(const ClusterSamples& samples, const BoostingConfig& config,
                                int jobs, const TrainingProgress& progress) {
-  const auto persons = std::count(samples.labels.begin(), samples.labels.end(), 1);
-  const auto others = static_cast<std::int64_t>(samples.labels.size()) - persons;
-  if (persons == 0 || others == 0)
-    throw std::runtime_error("segmentation finds " + std::to_string(persons) + " persons and " +
-                             std::to_string(others) +
-                             " other clusters in the training frames, expected both");
-  double person_weight = 0, other_weight = 0;
-  for (std::size_t i = 0; i < samples.labels.size(); ++i)
-    (samples.labels[i] > 0 ? person_weight : other_weight) += samples.weights[i];
-  std::vector<float> weights;
-  for (std::size_t i = 0; i < samples.labels.size(); ++i)
-    weights.push_back(0.5F * samples.weights[i] /
-                      static_cast<float>(samples.labels[i] > 0 ? person_weight : other_weight));
+  const std::vector<float> weights = BalancedWeights(samples);
   return TrainBoostedTrees(
       samples.features, samples.labels, weights, config,
       [&](const BoostingProgress& state) {
         progress("cluster boosting", static_cast<double>(state.round) / config.rounds);
       },
       jobs);
+}
+
+FeatureNetwork TrainClusterNetwork(const ClusterSamples& samples,
+                                   const NetworkTrainingConfig& config,
+                                   const TrainingProgress& progress) {
+  return TrainFeatureNetwork(
+      samples.features, samples.labels, BalancedWeights(samples), config,
+      [&](const NetworkTrainingProgress& state) { progress("cluster network", state.done); });
 }
 
 CalibrationResult CalibrateOnFrames(std::span<const ObservedFrame* const> frames,

@@ -31,6 +31,12 @@ ClusterTraining TrainClusterModel(std::span<const ObservedFrame* const> frames,
 BoostedTrees TrainClusterTrees(const ClusterSamples& samples, const BoostingConfig& config,
                                int jobs, const TrainingProgress& progress);
 
+/// Trains the network of a ClusterModel; both classes weigh the same.
+/// @throws std::runtime_error if `samples` hold one class only.
+FeatureNetwork TrainClusterNetwork(const ClusterSamples& samples,
+                                   const NetworkTrainingConfig& config,
+                                   const TrainingProgress& progress);
+
 /// What came of the calibration.
 struct CalibrationResult {
   Calibration calibration;

@@ -100,10 +100,13 @@ TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
   const ClusterTraining clusters = TrainClusterModel(training_frames, samples.person_descriptors,
                                                      model.cells, config, jobs, progress);
   model.clusters = clusters.model;
-  if (config.sampling.cluster_score == ClusterScore::kBoosted)
-    model.clusters.trees = TrainClusterTrees(
-        CrossFitClusterSamples(training, model.clusters, config, cell_size_m, jobs, progress),
-        config.cluster_boosting, jobs, progress);
+  if (config.sampling.cluster_score == ClusterScore::kBoosted) {
+    const ClusterSamples of_clusters =
+        CrossFitClusterSamples(training, model.clusters, config, cell_size_m, jobs, progress);
+    model.clusters.trees = TrainClusterTrees(of_clusters, config.cluster_boosting, jobs, progress);
+    model.clusters.network = TrainClusterNetwork(of_clusters, config.cluster_network, progress);
+    model.clusters.network_share = config.sampling.network_share;
+  }
   const CalibrationResult calibration =
       CalibrateOnFrames(validation_frames, model.cells, model.clusters, config, jobs, progress);
   model.clusters.calibration = calibration.calibration;
@@ -129,6 +132,7 @@ TrainedModel TrainModel(const std::vector<ObservedRecording>& training,
                      {"training_person_clusters", clusters.person_clusters},
                      {"shrinkage", clusters.shrinkage},
                      {"trees", model.clusters.trees.roots.size()},
+                     {"network_layers", model.clusters.network.layers.size()},
                      {"validation_person_clusters", calibration.person_clusters},
                      {"validation_other_clusters", calibration.other_clusters}}},
                    {"validation_figures",

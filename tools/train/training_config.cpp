@@ -30,9 +30,12 @@ void TrainingConfig::Validate() const {
   Require(sampling.alpha >= 0 && sampling.alpha < 1, "sampling: alpha must be in [0, 1)");
   Require(sampling.min_person_share > 0 && sampling.min_person_share <= 1,
           "sampling: min_person_share must be in (0, 1]");
+  Require(sampling.network_share >= 0 && sampling.network_share <= 1,
+          "sampling: network_share must be in [0, 1]");
   gate_boosting.Validate();
   boosting.Validate();
   cluster_boosting.Validate();
+  cluster_network.Validate();
   segmentation.Validate();
   codebook.Validate();
   iron.Validate();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "fallen/classification/feature_network_training.hpp"
 #include "fallen/classification/growing_neural_gas.hpp"
 #include "fallen/geometry/enum_names.hpp"
 #include "fallen/segmentation/cell_segmentation.hpp"
@@ -16,7 +17,8 @@ namespace fallen {
 /// What decides about a cluster.
 enum class ClusterScore : std::int32_t {
   kMahalanobis = 0,  ///< the distance of its code alone: the paper
-  kBoosted = 1,      ///< boosted trees on code, distance, size, height, outline and surroundings
+  kBoosted = 1,      ///< boosted trees, and a network, on code, distance, size, height, outline and
+                     ///< surroundings
 };
 constexpr auto EnumNames(ClusterScore) {
   return EnumTable<ClusterScore, 2>{
@@ -47,6 +49,9 @@ struct SamplingConfig {
   /// A cluster is a fallen person's if so many of its labelled cells are, (0, 1].
   double min_person_share = 0.5;
   ClusterScore cluster_score = ClusterScore::kBoosted;
+  /// Of the evidence is the network's, [0, 1]; its scores are spread ten times as far as the
+  /// trees'.
+  double network_share = 0.07;
   std::int64_t seed = 1;
 
   template <class Visitor>
@@ -60,6 +65,7 @@ struct SamplingConfig {
     visit("alpha", alpha);
     visit("min_person_share", min_person_share);
     visit("cluster_score", cluster_score);
+    visit("network_share", network_share);
     visit("seed", seed);
   }
 };
@@ -72,6 +78,7 @@ struct TrainingConfig {
   BoostingConfig boosting;
   BoostingConfig cluster_boosting{
       .rounds = 300, .max_depth = 3, .min_leaf_weight = 1e-3, .learning_rate = 0.1};
+  NetworkTrainingConfig cluster_network;
   SegmentationConfig segmentation;
   GrowingNeuralGasConfig codebook;
   IronConfig iron;
@@ -87,6 +94,7 @@ struct TrainingConfig {
     visit("gate_boosting", gate_boosting);
     visit("boosting", boosting);
     visit("cluster_boosting", cluster_boosting);
+    visit("cluster_network", cluster_network);
     visit("segmentation", segmentation);
     visit("codebook", codebook);
     visit("iron", iron);

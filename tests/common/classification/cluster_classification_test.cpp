@@ -132,6 +132,41 @@ TEST(ClassifyClusters, LetsTheTreesDecideWhereThereAreSome) {
   EXPECT_EQ(decision.hypotheses[1].probability, model.calibration.Probability(-1));
 }
 
+// Trees, and a network that sees the greatest height: log-odds of ten for each metre above 0.2 m.
+ClusterModel ModelWithNetwork() {
+  ClusterModel model = ModelWithTrees();
+  FeatureNetwork& network = model.network;
+  network.mean.setZero(model.trees.feature_count);
+  network.mean[4] = 0.2F;
+  network.scale.setOnes(model.trees.feature_count);
+  network.layers = {
+      {FeatureMatrix::Zero(model.trees.feature_count, 1), Eigen::RowVectorXf::Zero(1)}};
+  network.layers[0].weights(4, 0) = 10;
+  model.network_share = 0.25;
+  return model;
+}
+
+TEST(ClassifyClusters, TheNetworkHasItsShareOfTheEvidence) {
+  ClusterModel model = ModelWithNetwork();
+  EXPECT_NO_THROW(model.Validate());
+  SegmentedMap map = MapOf(2, 8);
+  map.ground.status = GroundStatus::kOk;
+  map.ground.plane = {Eigen::Vector3d::UnitZ(), 0};
+  map.cells[0].cell.mean.z() = 0.3F;
+  const double high = std::tanh(1.0 / 16), low = std::tanh(-1.0 / 16);  // 0.3 m and 0.1 m
+  const auto expect = [&](double best, double other) {
+    const Decision decision = ClassifyClusters(map, model);
+    ASSERT_EQ(decision.hypotheses.size(), 2U);
+    EXPECT_NEAR(decision.hypotheses[0].probability, model.calibration.Probability(best), 1e-6);
+    EXPECT_NEAR(decision.hypotheses[1].probability, model.calibration.Probability(other), 1e-6);
+  };
+  expect(0.75 + 0.25 * high, -0.75 + 0.25 * low);
+  model.network_share = 1;
+  expect(high, low);
+  model.network_share = 0;
+  expect(1, -1);
+}
+
 // Cells along y from 0 to 0.35 m, of which the first two score ten times as high as the others.
 SegmentedMap PersonBesideAThing() {
   SegmentedMap map = MapOf(1, 8);
@@ -229,6 +264,15 @@ TEST(ClusterModel, ValidateRejectsPartsThatDoNotFit) {
   rejects([](auto& m) { m.calibration.slope = -1; });
   rejects([](auto& m) { m.iron.distance_bins = 0; });
   rejects([](auto& m) { m.trees = ModelWithTrees().trees, m.trees.feature_count = 5; });
+  rejects([](auto& m) { m.network_share = -0.1; });
+  rejects([](auto& m) { m.network_share = std::nan(""); });
+  rejects([](auto& m) { m = ModelWithNetwork(), m.trees = {}; });
+  rejects([](auto& m) { m = ModelWithNetwork(), m.network.layers[0].bias[0] = std::nanf(""); });
+  rejects([](auto& m) {
+    m = ModelWithNetwork();
+    m.network.mean.setZero(5), m.network.scale.setOnes(5);
+    m.network.layers[0].weights.setZero(5, 1);
+  });
 }
 
 }  // namespace

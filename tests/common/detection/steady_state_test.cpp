@@ -42,13 +42,20 @@ BackgroundSubtractor EmptyRoom(const DetectorConfig& config) {
   return BackgroundSubtractor(environment, config.background);
 }
 
-// Judges clusters by trees, and so their parts too, as the shipped model does.
-Model ModelWithClusterTrees() {
+// Judges clusters by trees and a network, and so their parts too, as the shipped model does.
+Model ModelThatJudgesParts() {
   Model model = PlainModel();
   model.clusters.trees.feature_count =
       ClusterFeatureCount(model.clusters.iron, model.clusters.codebook.rows());
   model.clusters.trees.roots = {0};
   model.clusters.trees.nodes = {{0, 4, 1, 0}, {-1, 0, 0, 0.5F}, {-1, 0, 0, 1}};
+  FeatureNetwork& network = model.clusters.network;
+  const int features = model.clusters.trees.feature_count;
+  network.mean.setZero(features);
+  network.scale.setOnes(features);
+  network.layers = {{FeatureMatrix::Constant(features, 128, 0.01F), Eigen::RowVectorXf::Zero(128)},
+                    {FeatureMatrix::Constant(128, 1, 0.01F), Eigen::RowVectorXf::Zero(1)}};
+  model.clusters.network_share = 0.1;
   return model;
 }
 
@@ -90,13 +97,13 @@ TEST(SteadyState, HeapCallsAreCounted) {
 
 TEST(SteadyState, TakesNoMemoryWithAFreshMapEveryFrame) {
   const DetectorConfig config = MountedCamera(false);
-  ExpectNoHeapCallInTheSteadyState(config, BackgroundSubtractor(), ModelWithClusterTrees());
+  ExpectNoHeapCallInTheSteadyState(config, BackgroundSubtractor(), ModelThatJudgesParts());
   ExpectNoHeapCallInTheSteadyState(config, BackgroundSubtractor(), PlainModel());
 }
 
 TEST(SteadyState, TakesNoMemoryWithAccumulationAndBackgroundSubtraction) {
   const DetectorConfig config = MountedCamera(true);
-  ExpectNoHeapCallInTheSteadyState(config, EmptyRoom(config), ModelWithClusterTrees());
+  ExpectNoHeapCallInTheSteadyState(config, EmptyRoom(config), ModelThatJudgesParts());
 }
 
 }  // namespace

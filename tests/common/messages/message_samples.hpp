@@ -164,7 +164,7 @@ inline service_status_t SampleStatus() {
   return status;
 }
 
-/// A model with two code words and one tree; only the wire is to like it.
+/// A model with two code words, one tree and one layer; only the wire is to like it.
 inline model_t SampleModelMessage() {
   model_t model{};
   model.description = "sample";
@@ -184,6 +184,16 @@ inline model_t SampleModelMessage() {
   model.gate_trees = model.cell_trees;
   model.gate_min_score = -0.25;
   model.gate_turned_away_score = -0.5;
+  model.cluster_network.feature_count = 2;
+  model.cluster_network.mean = {0.5f, 1};
+  model.cluster_network.scale = {1, 2};
+  model.cluster_network.layer_count = 1;
+  model.cluster_network.layers.resize(1);
+  model.cluster_network.layers[0].input_count = 2;
+  model.cluster_network.layers[0].output_count = 1;
+  model.cluster_network.layers[0].weight = {{0.25f}, {-1}};
+  model.cluster_network.layers[0].bias = {3};
+  model.network_share = 0.5;
   model.dimension = 4;
   model.unit_count = 2;
   model.codebook = {{1, 0, 0, 0}, {0, 1, 0, 0}};

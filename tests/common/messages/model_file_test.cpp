@@ -62,6 +62,19 @@ Model SampleModel() {
   model.clusters.trees.roots = {0};
   model.clusters.trees.nodes = {
       {kClusterShapeFeatures + 1, 0.25F, 1, 0}, {-1, 0, 0, -0.5F}, {-1, 0, 0, 0.75F}};
+  FeatureNetwork& network = model.clusters.network;
+  Eigen::Index inputs = model.clusters.trees.feature_count;
+  const auto draw = [&](Eigen::Index rows, Eigen::Index columns) -> FeatureMatrix {
+    return FeatureMatrix::NullaryExpr(rows, columns,
+                                      [&] { return static_cast<float>(normal(random)); });
+  };
+  network.mean = draw(1, inputs);
+  network.scale = draw(1, inputs);
+  for (const Eigen::Index outputs : {4, 1}) {
+    network.layers.push_back({draw(inputs, outputs), draw(1, outputs)});
+    inputs = outputs;
+  }
+  model.clusters.network_share = 1.0 / 7;
   model.clusters.calibration.slope = 2.345;
   model.clusters.calibration.intercept = 1.0 / 3;
   model.clusters.calibration.operating_points = {{0.5, 0.1, 0.05}, {0.75, 0.01, 0.2}};
@@ -84,6 +97,8 @@ void ExpectEqual(const Model& a, const Model& b) {
   EXPECT_EQ(a.clusters.gaussian.mean(), b.clusters.gaussian.mean());
   EXPECT_EQ(a.clusters.gaussian.covariance(), b.clusters.gaussian.covariance());
   EXPECT_EQ(a.clusters.trees, b.clusters.trees);
+  EXPECT_EQ(a.clusters.network, b.clusters.network);
+  EXPECT_EQ(a.clusters.network_share, b.clusters.network_share);
   EXPECT_EQ(a.clusters.calibration, b.clusters.calibration);
 }
 
@@ -129,6 +144,18 @@ TEST(ModelConversion, RefusesEachBadField) {
       {"cluster_trees.tree_count", [](auto& m) { m.cluster_trees.tree_count = 2; }},
       {"features", [](auto& m) { m.cluster_trees.feature_count = 900; }},
       {"boosted_trees", [](auto& m) { m.cluster_trees.root[0] = 9; }},
+      {"cluster_network.feature_count", [](auto& m) { m.cluster_network.feature_count = 3; }},
+      {"cluster_network.feature_count", [](auto& m) { m.cluster_network.scale.pop_back(); }},
+      {"cluster_network.layer_count", [](auto& m) { m.cluster_network.layer_count = 1; }},
+      {"output_count", [](auto& m) { m.cluster_network.layers[0].output_count = 5; }},
+      {"weight's rows", [](auto& m) { m.cluster_network.layers[0].input_count = -1; }},
+      {"weight", [](auto& m) { m.cluster_network.layers[0].weight[2].pop_back(); }},
+      {"output_count", [](auto& m) { m.cluster_network.layers[0].output_count = -1; }},
+      {"feature_network",
+       [](auto& m) { m.cluster_network.layers.pop_back(), m.cluster_network.layer_count = 1; }},
+      {"mean", [=](auto& m) { m.cluster_network.mean[1] = static_cast<float>(kNan); }},
+      {"network_share", [](auto& m) { m.network_share = 1.1; }},
+      {"network_share", [=](auto& m) { m.network_share = kNan; }},
       {"slope", [](auto& m) { m.calibration_slope = -1; }},
       {"intercept", [=](auto& m) { m.calibration_intercept = kNan; }},
       {"operating_point_count", [](auto& m) { m.operating_point_count = 3; }},
@@ -180,10 +207,10 @@ TEST(ModelFile, GivesBackWhatWasSavedAndNamesWhatIsWrong) {
       path.string() + ": first bytes: got \"FALLENEM\", expected \"FALLENMD\" of a model file");
   model_t message = ToMessage(SampleModel());
   message.features = 9;
-  WriteContainer(path, {"FALLENMD", "", 3}, EncodeMessage(message));
+  WriteContainer(path, {"FALLENMD", "", 4}, EncodeMessage(message));
   EXPECT_EQ(error_of(), path.string() + ": model_t.features: got 9, expected 0 to 1");
-  WriteContainer(path, {"FALLENMD", "", 2}, EncodeMessage(message));
-  EXPECT_EQ(error_of(), path.string() + ": version: got 2, expected 3");
+  WriteContainer(path, {"FALLENMD", "", 3}, EncodeMessage(message));
+  EXPECT_EQ(error_of(), path.string() + ": version: got 3, expected 4");
   std::filesystem::remove(path);
   EXPECT_EQ(error_of(), path.string() + ": cannot open: No such file or directory");
 }
