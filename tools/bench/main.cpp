@@ -15,15 +15,16 @@
 namespace {
 
 // Google Benchmark reads its own options; anything else that we do not know is a wrong call.
-void InitializeBenchmark(const std::string& program, const std::vector<std::string>& options) {
-  std::vector<std::string> words = {program};
+// It keeps the pointer to `program`.
+void InitializeBenchmark(char* program, const std::vector<std::string>& options) {
+  std::vector<std::string> words;
   for (const std::string& option : options) {
     if (option.rfind("--benchmark_", 0) != 0)
       throw std::runtime_error("got " + option +
                                ", expected an option of --help or --benchmark_...");
     words.push_back(option);
   }
-  std::vector<char*> pointers;
+  std::vector<char*> pointers = {program};
   for (std::string& word : words) pointers.push_back(word.data());
   int count = static_cast<int>(pointers.size());
   benchmark::Initialize(&count, pointers.data());
