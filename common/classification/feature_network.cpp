@@ -38,6 +38,7 @@ void FeatureNetwork::Validate() const {
          " scales, must be one each a feature");
   if (!mean.allFinite() || !scale.allFinite()) Fail("a mean or scale is not finite");
   Eigen::Index inputs = mean.size();
+  float largest = kMaxDeviations;  // that a value can become
   for (const Layer& layer : layers) {
     if (layer.weights.rows() != inputs || layer.weights.cols() == 0 ||
         layer.bias.size() != layer.weights.cols())
@@ -45,6 +46,9 @@ void FeatureNetwork::Validate() const {
            std::to_string(layer.bias.size()) + " biases, must be " + std::to_string(inputs) +
            " rows and as many columns as biases");
     if (!layer.weights.allFinite() || !layer.bias.allFinite()) Fail("a weight is not finite");
+    largest =
+        (largest * layer.weights.cwiseAbs().colwise().sum() + layer.bias.cwiseAbs()).maxCoeff();
+    if (!std::isfinite(largest)) Fail("the weights are so large that a score could overflow");
     inputs = layer.weights.cols();
   }
   if (inputs != 1) Fail("the last layer has " + std::to_string(inputs) + " outputs, must be 1");

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace fallen {
 namespace {
@@ -105,6 +107,7 @@ TEST(FeatureNetwork, ValidateRejectsPartsThatDoNotFit) {
   rejects([](auto& n) { n.layers[1].weights.conservativeResize(6, 5); });
   rejects([](auto& n) { n.layers[1].bias.conservativeResize(4); });
   rejects([](auto& n) { n.layers[1].weights.resize(7, 0), n.layers[1].bias.resize(0); });
+  rejects([](auto& n) { n.layers[0].weights(0, 0) = 1e38F; });
   rejects([](auto& n) { n.layers.pop_back(); });
 }
 
