@@ -23,7 +23,7 @@ Eigen::Vector3d ScoreWeightedMean(const SegmentedMap& segmented, const CellClust
   for (const std::int32_t index : cluster.cells) {
     const ScoredCell& scored = segmented.cells[index];
     const double weight = std::max<double>(scored.score, kLeastWeight);
-    sum += weight * scored.cell.mean.cast<double>();
+    sum += weight * scored.mean.cast<double>();
     weights += weight;
   }
   return sum / weights;
@@ -40,7 +40,7 @@ ClusterCandidate& CandidateFinder::Add(const SegmentedMap& segmented, const Cell
   candidate.whole = static_cast<std::int32_t>(whole);
   candidate.centroid.setZero();
   for (const std::int32_t index : candidate.cluster.cells)
-    candidate.centroid += segmented.cells[index].cell.mean.cast<double>();
+    candidate.centroid += segmented.cells[index].mean.cast<double>();
   candidate.centroid /= static_cast<double>(members.size());
   candidate.box = FitUprightBox(segmented, candidate.cluster);
   EncodeCluster(candidate.cluster.MemberDescriptors(), model.codebook, model.alpha, candidate.code);

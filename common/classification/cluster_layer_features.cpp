@@ -32,7 +32,7 @@ void AddLayers(const PlacedCluster& cluster, FeatureRow& row) {
   std::array<Layer, kLayers> layers;
   for (std::size_t k = 0; k < cluster.cells.size(); ++k) {
     const PlacedCell& cell = cluster.cells[k];
-    const CellNormal& normal = scene.normals[cluster.cluster.cells[k]];
+    const CellNormal& normal = scene.normals[scene.member_of_cell[cluster.cluster.cells[k]]];
     Layer& layer =
         layers[std::clamp(static_cast<int>(std::floor(cell.height / kThickness)), 0, kLayers - 1)];
     const Eigen::Array2d place(cell.along, cell.across);

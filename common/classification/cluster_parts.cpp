@@ -51,9 +51,7 @@ class ClusterPartFinder::Search {
 
  private:
   const ScoredCell& Member(std::size_t k) const { return segmented_.cells[cluster_.cells[k]]; }
-  Eigen::Vector2d Place(std::size_t k) const {
-    return Member(k).cell.mean.head<2>().cast<double>();
-  }
+  Eigen::Vector2d Place(std::size_t k) const { return Member(k).mean.head<2>().cast<double>(); }
 
   void Add(const Members& members) {
     const auto most = kMaxShare * static_cast<double>(cluster_.cells.size());
@@ -68,7 +66,7 @@ class ClusterPartFinder::Search {
     for (std::size_t k = 0; k < cluster_.cells.size(); ++k) {
       if (Member(k).score < min_score) continue;
       members.push_back(static_cast<std::int32_t>(k));
-      points.push_back(Member(k).cell.mean);
+      points.push_back(Member(k).mean);
     }
     const auto epsilon_m = static_cast<float>(kEpsilonInCells * segmented_.cell_size_m);
     const std::vector<std::int32_t>& labels =

@@ -3,24 +3,25 @@
 #include "fallen/classification/cluster_scene.hpp"
 
 #include <stdexcept>
+#include <string>
 
 namespace fallen {
 
 ClusterScene::ClusterScene(const SegmentedMap& map) : segmented(map) {
   if (!map.ground.ok()) throw std::invalid_argument("cluster_features: the map has no floor");
-  KeptVector<NdtCell> members;
   heights_m.reserve(map.cells.size());
+  member_of_cell.reserve(map.cells.size());
+  std::int32_t member = 0;
   for (const ScoredCell& scored : map.cells) {
-    if (scored.cluster >= 0) members.push_back(scored.cell);
     heights_m.push_back(
-        static_cast<float>(map.ground.plane.SignedHeight(scored.cell.mean.cast<double>())));
+        static_cast<float>(map.ground.plane.SignedHeight(scored.mean.cast<double>())));
+    member_of_cell.push_back(member);
+    if (scored.cluster >= 0) ++member;
   }
-  KeptVector<CellNormal> of_members;
-  ComputeNormals(members, map.iron, of_members);
-  normals.resize(map.cells.size());
-  auto next = of_members.begin();
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (map.cells[i].cluster >= 0) normals[i] = *next++;
+  if (static_cast<std::size_t>(member) != map.members.size())
+    throw std::invalid_argument("cluster_features: got " + std::to_string(map.members.size()) +
+                                " members for " + std::to_string(member) + " cells in clusters");
+  ComputeNormals(map.members, map.iron, normals);
 }
 
 }  // namespace fallen

@@ -17,7 +17,9 @@ struct ClusterScene {
 
   const SegmentedMap& segmented;
   KeptVector<float> heights_m;     ///< of the cells' means above the floor
-  KeptVector<CellNormal> normals;  ///< of the cells that belong to a cluster
+  KeptVector<CellNormal> normals;  ///< of the map's members
+  /// Where the cells that belong to a cluster are among the members; the rest means nothing.
+  KeptVector<std::int32_t> member_of_cell;
 };
 
 }  // namespace fallen

@@ -34,8 +34,9 @@ void AddSurface(const PlacedCluster& cluster, FeatureRow& row) {
   double cosine_sum = 0, flatness_sum = 0, breadth_sum = 0, points_sum = 0, occupancy_sum = 0;
   int level = 0;
   for (const std::int32_t i : cluster.cluster.cells) {
-    const CellNormal& normal = scene.normals[i];
-    const NdtCell& cell = scene.segmented.cells[i].cell;
+    const std::int32_t member = scene.member_of_cell[i];
+    const CellNormal& normal = scene.normals[member];
+    const NdtCell& cell = scene.segmented.members[member];
     const float cosine = std::abs(normal.normal.dot(up));
     const float height = scene.heights_m[i];
     const int layer = height < kLayers[0] ? 0 : height < kLayers[1] ? 1 : 2;

@@ -42,7 +42,7 @@ void AddBoxNeighbors(const PlacedCluster& cluster, FeatureRow& row) {
   int within = 0, above = 0, below = 0, beside = 0;
   double score_sum = 0;
   ForEachOther(cluster, [&](const ScoredCell& scored, float height) {
-    const Eigen::Vector2d place = frame.Place(scored.cell.mean.head<2>().cast<double>());
+    const Eigen::Vector2d place = frame.Place(scored.mean.head<2>().cast<double>());
     const double out = (place.cwiseAbs() - half).maxCoeff();
     if (out > kBeside || height > highest + kAbove) return;
     if (out > kAround) {
@@ -71,7 +71,7 @@ void AddRings(const PlacedCluster& cluster, FeatureRow& row) {
   std::array<Ring, kRings.size()> rings;
   const Eigen::Vector2d half(cluster.length / 2, 2 * cluster.deviation_across);
   ForEachOther(cluster, [&](const ScoredCell& scored, float height) {
-    const Eigen::Vector2d place = cluster.frame.Place(scored.cell.mean.head<2>().cast<double>());
+    const Eigen::Vector2d place = cluster.frame.Place(scored.mean.head<2>().cast<double>());
     const double distance = (place.cwiseAbs() - half).cwiseMax(0.0).norm();
     for (std::size_t r = 0; r < kRings.size(); ++r) {
       if (distance >= kRings[r]) continue;

@@ -47,7 +47,7 @@ PlacedCluster::PlacedCluster(const ClusterScene& s, const CellCluster& c, const 
   KeptVector<Eigen::Vector2d> places;
   places.reserve(cluster.cells.size());
   for (const std::int32_t i : cluster.cells)
-    places.push_back(scene.segmented.cells[i].cell.mean.head<2>().cast<double>());
+    places.push_back(scene.segmented.cells[i].mean.head<2>().cast<double>());
   const MainAxis axis = FindMainAxis(places);
   deviation_along = axis.deviation_along;
   deviation_across = axis.deviation_across;

@@ -83,7 +83,7 @@ OrientedBox FitUprightBox(const SegmentedMap& segmented, const CellCluster& clus
   KeptVector<Eigen::Vector3d> means;
   means.reserve(cluster.cells.size());
   for (const std::int32_t index : cluster.cells)
-    means.push_back(segmented.cells[index].cell.mean.cast<double>());
+    means.push_back(segmented.cells[index].mean.cast<double>());
   return FitUprightBox(means, segmented.cell_size_m / 2);
 }
 

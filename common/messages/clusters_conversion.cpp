@@ -10,6 +10,8 @@ namespace fallen {
 namespace {
 
 const std::string kClusters = "clusters_t";
+const std::string kMembers = kClusters + ".members";
+const std::string kOthers = kClusters + ".other";
 
 void CheckBackgroundStatus(const clusters_t& message) {
   checks::InRange(kClusters + ".background_status", message.background_status, 0,
@@ -21,11 +23,58 @@ void CheckBackgroundStatus(const clusters_t& message) {
                "clusters without gaps");
 }
 
-std::vector<NdtCell> Cells(const SegmentedMap& segmented) {
-  std::vector<NdtCell> cells;
-  cells.reserve(segmented.cells.size());
-  for (const ScoredCell& scored : segmented.cells) cells.push_back(scored.cell);
-  return cells;
+// Members with all that is known of them, of the others the mean.
+void CellsToMessage(const SegmentedMap& segmented, clusters_t& message) {
+  message.cell_count = static_cast<std::int32_t>(segmented.cells.size());
+  message.score.reserve(segmented.cells.size());
+  message.cluster.reserve(segmented.cells.size());
+  std::size_t member = 0;
+  for (const ScoredCell& scored : segmented.cells) {
+    checks::Score(kClusters + ".score", scored.score);
+    message.score.push_back(scored.score);
+    message.cluster.push_back(scored.cluster);
+    if (scored.cluster >= 0) {
+      if (member == segmented.members.size() || segmented.members[member].mean != scored.mean)
+        checks::Fail(kMembers, "no cell " + std::to_string(member) + " or another",
+                     "the cells in clusters, in the order of all cells");
+      CheckNearCamera(kMembers, member++, scored.mean, segmented.T_map_camera);
+      continue;
+    }
+    CheckNearCamera(kOthers, message.other_mean_x.size(), scored.mean, segmented.T_map_camera);
+    message.other_mean_x.push_back(scored.mean.x());
+    message.other_mean_y.push_back(scored.mean.y());
+    message.other_mean_z.push_back(scored.mean.z());
+  }
+  checks::Count(kMembers + ".count", static_cast<std::int64_t>(segmented.members.size()), member);
+  message.members = fallen::CellsToMessage(segmented.members);
+  message.other_count = static_cast<std::int32_t>(message.other_mean_x.size());
+}
+
+void CellsFromMessage(const clusters_t& message, SegmentedMap& segmented) {
+  checks::Count(kClusters + ".cell_count", message.cell_count, message.score.size());
+  checks::Count(kClusters + ".cell_count", message.cell_count, message.cluster.size());
+  for (const auto* means : {&message.other_mean_x, &message.other_mean_y, &message.other_mean_z})
+    checks::Count(kClusters + ".other_count", message.other_count, means->size());
+  segmented.members = fallen::CellsFromMessage(kMembers, message.members);
+  std::size_t members = 0;
+  for (const std::int32_t cluster : message.cluster) members += cluster >= 0;
+  checks::Count(kMembers + ".count", message.members.count, members);
+  checks::Count(kClusters + ".other_count", message.other_count, message.cluster.size() - members);
+  segmented.cells.reserve(message.cluster.size());
+  std::size_t member = 0, other = 0;
+  for (std::size_t i = 0; i < message.cluster.size(); ++i) {
+    checks::Score(kClusters + ".score", message.score[i]);
+    ScoredCell scored{{}, message.score[i], message.cluster[i]};
+    if (scored.cluster >= 0) {
+      scored.mean = segmented.members[member].mean;
+      CheckNearCamera(kMembers, member++, scored.mean, segmented.T_map_camera);
+    } else {
+      scored.mean = {message.other_mean_x[other], message.other_mean_y[other],
+                     message.other_mean_z[other]};
+      CheckNearCamera(kOthers, other++, scored.mean, segmented.T_map_camera);
+    }
+    segmented.cells.push_back(scored);
+  }
 }
 
 // Descriptors in the order of the cells; that each cluster lists its own cells, and has some, is
@@ -105,16 +154,11 @@ void FillDescriptors(const clusters_t& message, std::vector<CellCluster>& cluste
 
 clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
   clusters_t message{};
-  MapPartToMessage(kClusters, header, segmented, Cells(segmented), message);
+  MapPartToMessage(kClusters, header, segmented, message);
   message.background_status = static_cast<std::int32_t>(segmented.background);
   CheckBackgroundStatus(message);
   message.iron = IronToMessage(segmented.iron);
-  message.cell_count = message.cells.count;
-  for (const ScoredCell& scored : segmented.cells) {
-    checks::Score("clusters_t.score", scored.score);
-    message.score.push_back(scored.score);
-    message.cluster.push_back(scored.cluster);
-  }
+  CellsToMessage(segmented, message);
   message.dimension = segmented.iron.dimension();
   message.descriptor = DescriptorsToMessage(segmented, message.dimension);
   message.descriptor_count = static_cast<std::int32_t>(message.descriptor.size());
@@ -123,23 +167,16 @@ clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
 
 SegmentedMap FromMessage(const clusters_t& message) {
   SegmentedMap segmented;
-  const std::vector<NdtCell> cells = MapPartFromMessage(kClusters, message, segmented);
+  MapPartFromMessage(kClusters, message, segmented);
   CheckBackgroundStatus(message);
   segmented.background = static_cast<BackgroundStatus>(message.background_status);
   segmented.iron = IronFromMessage(kClusters, message.iron);
   checks::InRange(kClusters + ".dimension", message.dimension, segmented.iron.dimension(),
                   segmented.iron.dimension());
 
-  checks::Count(kClusters + ".cell_count", message.cell_count, cells.size());
-  checks::Count(kClusters + ".cell_count", message.cell_count, message.score.size());
-  checks::Count(kClusters + ".cell_count", message.cell_count, message.cluster.size());
   segmented.clusters = ClustersFromMessage(message);
+  CellsFromMessage(message, segmented);
   FillDescriptors(message, segmented.clusters);
-  segmented.cells.reserve(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    checks::Score("clusters_t.score", message.score[i]);
-    segmented.cells.push_back({cells[i], message.score[i], message.cluster[i]});
-  }
   return segmented;
 }
 

@@ -29,23 +29,23 @@ bool IsPositiveDefinite(const std::array<float, 6>& covariance) {
   return xx > 0 && minor > 0 && determinant > 0 && std::isfinite(determinant);
 }
 
-[[noreturn]] void FailCell(const std::string& owner, std::size_t index, const std::string& field,
+[[noreturn]] void FailCell(const std::string& cells, std::size_t index, const std::string& field,
                            const std::string& got, const std::string& expected) {
-  checks::Fail(owner + ".cells[" + std::to_string(index) + "]." + field, got, expected);
+  checks::Fail(cells + "[" + std::to_string(index) + "]." + field, got, expected);
 }
 
-void CheckCell(const std::string& owner, std::size_t index, const NdtCell& cell) {
+void CheckCell(const std::string& cells, std::size_t index, const NdtCell& cell) {
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(cell.mean[axis]) <= limits::kMaxCoordinate_m))
-      FailCell(owner, index, "mean", checks::Text(cell.mean[axis]),
+      FailCell(cells, index, "mean", checks::Text(cell.mean[axis]),
                "at most " + checks::Text(limits::kMaxCoordinate_m) + " m from 0");
   if (!IsPositiveDefinite(cell.covariance))
-    FailCell(owner, index, "covariance", "a matrix that is not", "a positive definite one");
+    FailCell(cells, index, "covariance", "a matrix that is not", "a positive definite one");
   if (cell.point_count < 1 || cell.point_count > kMaxInt32)
-    FailCell(owner, index, "point_count",
+    FailCell(cells, index, "point_count",
              checks::Text(std::int64_t{static_cast<std::int32_t>(cell.point_count)}), "> 0");
   if (!std::isfinite(cell.occupancy))
-    FailCell(owner, index, "occupancy", checks::Text(cell.occupancy), "a finite number");
+    FailCell(cells, index, "occupancy", checks::Text(cell.occupancy), "a finite number");
 }
 
 }  // namespace
@@ -79,13 +79,13 @@ ndt_cells_t CellsToMessage(const std::vector<NdtCell>& cells) {
   return message;
 }
 
-std::vector<NdtCell> CellsFromMessage(const std::string& owner, const ndt_cells_t& message) {
+std::vector<NdtCell> CellsFromMessage(const std::string& field, const ndt_cells_t& message) {
   for (const auto* values :
        {&message.mean_x, &message.mean_y, &message.mean_z, &message.covariance_xx,
         &message.covariance_xy, &message.covariance_xz, &message.covariance_yy,
         &message.covariance_yz, &message.covariance_zz, &message.occupancy})
-    checks::Count(owner + ".cells.count", message.count, values->size());
-  checks::Count(owner + ".cells.count", message.count, message.point_count.size());
+    checks::Count(field + ".count", message.count, values->size());
+  checks::Count(field + ".count", message.count, message.point_count.size());
   std::vector<NdtCell> cells(static_cast<std::size_t>(message.count));
   for (std::size_t i = 0; i < cells.size(); ++i) {
     cells[i].mean = {message.mean_x[i], message.mean_y[i], message.mean_z[i]};
@@ -95,20 +95,18 @@ std::vector<NdtCell> CellsFromMessage(const std::string& owner, const ndt_cells_
     // A negative number becomes one beyond int32, and is refused as such.
     cells[i].point_count = static_cast<std::uint32_t>(message.point_count[i]);
     cells[i].occupancy = message.occupancy[i];
-    CheckCell(owner, i, cells[i]);
+    CheckCell(field, i, cells[i]);
   }
   return cells;
 }
 
-void CheckNearCamera(const std::string& owner, const std::vector<NdtCell>& cells,
+void CheckNearCamera(const std::string& field, std::size_t index, const Eigen::Vector3f& mean,
                      const Eigen::Isometry3d& T_map_camera) {
-  const Eigen::Vector3d camera = T_map_camera.translation();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double distance = (cells[i].mean.cast<double>() - camera).cwiseAbs().maxCoeff();
-    if (distance > limits::kMaxLocalDistance_m)
-      FailCell(owner, i, "mean", checks::Text(distance) + " m from the camera",
+  const Eigen::Vector3d from_camera = mean.cast<double>() - T_map_camera.translation();
+  for (const double distance : from_camera)
+    if (!(std::abs(distance) <= limits::kMaxLocalDistance_m))
+      FailCell(field, index, "mean", checks::Text(std::abs(distance)) + " m from the camera",
                "at most " + checks::Text(limits::kMaxLocalDistance_m) + " m along each axis");
-  }
 }
 
 ground_t GroundToMessage(const GroundEstimate& ground) {

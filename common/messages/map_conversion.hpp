@@ -21,9 +21,11 @@ namespace fallen {
 ndt_cells_t CellsToMessage(const std::vector<NdtCell>& cells);
 /// Checks all that NdtCell promises: counts agree, values finite and in bounds, covariance positive
 /// definite, points > 0.
-std::vector<NdtCell> CellsFromMessage(const std::string& owner, const ndt_cells_t& message);
-/// Every mean is near the camera, as the mapping leaves them.
-void CheckNearCamera(const std::string& owner, const std::vector<NdtCell>& cells,
+/// @param field  Name of the cells, for error texts.
+std::vector<NdtCell> CellsFromMessage(const std::string& field, const ndt_cells_t& message);
+/// A cell's mean is near the camera, as the mapping leaves them; not NaN.
+/// @param field  Name of the cells, `index` the place among them: for error texts.
+void CheckNearCamera(const std::string& field, std::size_t index, const Eigen::Vector3f& mean,
                      const Eigen::Isometry3d& T_map_camera);
 
 ground_t GroundToMessage(const GroundEstimate& ground);

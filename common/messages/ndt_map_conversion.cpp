@@ -8,6 +8,7 @@ namespace fallen {
 namespace {
 
 const std::string kNdtMap = "ndt_map_t";
+const std::string kCells = kNdtMap + ".cells";
 const std::string kFlags = kNdtMap + ".is_foreground";
 const std::string kEnvironmentMap = "environment_map_t";
 
@@ -18,10 +19,17 @@ void CheckFlags(const ndt_map_t& message) {
   for (const std::uint8_t flag : message.is_foreground) checks::InRange(kFlags, flag, 0, 1);
 }
 
+void CheckNearCamera(const NdtMap& map) {
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    fallen::CheckNearCamera(kCells, i, map.cells[i].mean, map.T_map_camera);
+}
+
 // All but the flags.
 NdtMap CheckedMap(const ndt_map_t& message) {
   NdtMap map;
-  map.cells = MapPartFromMessage(kNdtMap, message, map);
+  MapPartFromMessage(kNdtMap, message, map);
+  map.cells = CellsFromMessage(kCells, message.cells);
+  CheckNearCamera(map);
   return map;
 }
 
@@ -29,7 +37,9 @@ NdtMap CheckedMap(const ndt_map_t& message) {
 
 ndt_map_t ToMessage(const Header& header, const NdtMap& map) {
   ndt_map_t message{};
-  MapPartToMessage(kNdtMap, header, map, map.cells, message);
+  MapPartToMessage(kNdtMap, header, map, message);
+  message.cells = CellsToMessage(map.cells);
+  CheckNearCamera(map);
   message.background_status = static_cast<std::int32_t>(BackgroundStatus::kNoEnvironmentMap);
   return message;
 }
@@ -75,7 +85,7 @@ environment_map_t ToMessage(const EnvironmentMap& map, const std::string& descri
 EnvironmentMap FromMessage(const environment_map_t& message) {
   CheckCellSize(kEnvironmentMap, message.cell_size_m);
   checks::CheckText(kEnvironmentMap + ".description", message.description, limits::kMaxTextBytes);
-  return {message.cell_size_m, CellsFromMessage(kEnvironmentMap, message.cells),
+  return {message.cell_size_m, CellsFromMessage(kEnvironmentMap + ".cells", message.cells),
           message.description};
 }
 

@@ -194,7 +194,7 @@ void CellSegmenter::WriteCells(const NdtMap& visible, const GroundEstimate& grou
     const bool is_too_high =
         ground.ok() && ground.plane.SignedHeight(cell.mean.cast<double>()) > config_.max_height_m;
     if (is_too_high) may_be_person_[k] = 0;
-    cells.push_back({cell, is_too_high ? kNeverPerson : scores_[k], -1});
+    cells.push_back({cell.mean, is_too_high ? kNeverPerson : scores_[k], -1});
   }
 }
 
@@ -215,7 +215,7 @@ void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMa
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (!may_be_person_[k] || static_cast<double>(cells[k].score) < config_.min_score) continue;
     candidates_.push_back(static_cast<std::int32_t>(k));
-    candidate_means_.push_back(cells[k].cell.mean);
+    candidate_means_.push_back(cells[k].mean);
   }
   const std::vector<std::int32_t>& labels = clusterer_.Label(
       candidate_means_, static_cast<float>(config_.cluster_epsilon_m), config_.cluster_min_points);
@@ -247,6 +247,12 @@ void CellSegmenter::ClusterCells(const IronDescriptors& descriptors, SegmentedMa
       cluster.descriptors.row(static_cast<Eigen::Index>(k)) =
           descriptors.values.row(judged_[cluster.cells[k]]);
   }
+}
+
+void CellSegmenter::WriteMembers(const NdtMap& visible, SegmentedMap& segmented) const {
+  segmented.members.clear();
+  for (std::size_t k = 0; k < segmented.cells.size(); ++k)
+    if (segmented.cells[k].cluster >= 0) segmented.members.push_back(visible.cells[judged_[k]]);
 }
 
 SegmentedMap CellSegmenter::Segment(const ForegroundMap& foreground, SegmentationTimes* times) {
@@ -288,6 +294,7 @@ void CellSegmenter::Segment(const ForegroundMap& foreground, SegmentedMap& segme
   cells_ms += stopwatch.Lap();
 
   ClusterCells(descriptors, segmented);
+  WriteMembers(visible, segmented);
   if (times) *times = {iron_ms, cells_ms, stopwatch.Lap()};
 }
 

@@ -58,9 +58,9 @@ struct SegmentationConfig {
 
 /// A foreground cell after classification, smoothing and clustering.
 struct ScoredCell {
-  NdtCell cell;
-  float score = 0;            ///< smoothed, or the gate's, [-1, 1]; NaN never
-  std::int32_t cluster = -1;  ///< index into `clusters`, or -1
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();  ///< of the cell, map frame [m]
+  float score = 0;                                 ///< smoothed, or the gate's, [-1, 1]; NaN never
+  std::int32_t cluster = -1;                       ///< index into `clusters`, or -1
 
   bool operator==(const ScoredCell&) const = default;
 };
@@ -91,6 +91,7 @@ struct SegmentedMap {
   /// Foreground cells that the gate turned away or that have a descriptor; not far above
   /// `max_height_m`.
   std::vector<ScoredCell> cells;
+  std::vector<NdtCell> members;  ///< the cells that belong to a cluster, in the order of `cells`
   std::vector<CellCluster> clusters;
 };
 

@@ -38,6 +38,7 @@ class CellSegmenter {
                   std::vector<ScoredCell>& cells);
   CellCluster& AddCluster(std::vector<CellCluster>& clusters);
   void ClusterCells(const IronDescriptors& descriptors, SegmentedMap& segmented);
+  void WriteMembers(const NdtMap& visible, SegmentedMap& segmented) const;
 
   SegmentationConfig config_;
   double cell_size_m_;

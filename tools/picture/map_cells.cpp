@@ -19,7 +19,7 @@ const Eigen::Vector3d kLight = Eigen::Vector3d(-0.45, 0.35, 0.82).normalized();
 constexpr double kAmbient = 0.62;
 
 using Place = std::array<float, 3>;
-Place PlaceOf(const NdtCell& cell) { return {cell.mean.x(), cell.mean.y(), cell.mean.z()}; }
+Place PlaceOf(const Eigen::Vector3f& mean) { return {mean.x(), mean.y(), mean.z()}; }
 
 double Brightness(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
@@ -38,13 +38,13 @@ DrawnCell Draw(const NdtCell& cell, const Color& color, const Eigen::Isometry3d&
 std::vector<DrawnCell> CellsToDraw(const FrameResult& result, const Eigen::Isometry3d& T_view_map) {
   std::map<Place, float> scores;
   for (const ScoredCell& scored : result.segmented.cells)
-    scores[PlaceOf(scored.cell)] = scored.score;
+    scores[PlaceOf(scored.mean)] = scored.score;
 
   std::vector<DrawnCell> cells;
   const ForegroundMap& foreground = result.foreground;
   for (std::size_t i = 0; i < foreground.map.cells.size(); ++i) {
     const NdtCell& cell = foreground.map.cells[i];
-    const auto score = scores.find(PlaceOf(cell));
+    const auto score = scores.find(PlaceOf(cell.mean));
     Color color = palette::kUnscoredCell;
     if (!foreground.is_foreground[i]) color = palette::kBackgroundCell;
     if (score != scores.end()) color = ScoreColor(score->second);

@@ -22,7 +22,7 @@ bool IsPerson(const SegmentedMap& segmented, const CellCluster& cluster,
   if (!person_box) return false;
   std::size_t inside = 0;
   for (const std::int32_t i : cluster.cells)
-    if (person_box->Contains(segmented.cells[i].cell.mean.cast<double>())) ++inside;
+    if (person_box->Contains(segmented.cells[i].mean.cast<double>())) ++inside;
   return static_cast<double>(inside) >= min_share * static_cast<double>(cluster.cells.size());
 }
 

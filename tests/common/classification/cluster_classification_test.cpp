@@ -42,10 +42,10 @@ SegmentedMap MapOf(int clusters, int each, float apart = 2) {
     CellCluster cluster;
     for (int i = 0; i < each; ++i) {
       cluster.cells.push_back(static_cast<std::int32_t>(map.cells.size()));
-      ScoredCell& scored = map.cells.emplace_back();
-      scored.cell.mean = {apart * static_cast<float>(c), 0.05F * static_cast<float>(i), 0.1F};
-      scored.score = 0.25F * static_cast<float>(1 + i % 2);
-      scored.cluster = c;
+      const Eigen::Vector3f mean(apart * static_cast<float>(c), 0.05F * static_cast<float>(i),
+                                 0.1F);
+      map.cells.push_back({mean, 0.25F * static_cast<float>(1 + i % 2), c});
+      map.members.emplace_back().mean = mean;
     }
     cluster.descriptors = RandomUnits(each, map.iron.dimension(), random);
     map.clusters.push_back(cluster);
@@ -124,7 +124,7 @@ TEST(ClassifyClusters, LetsTheTreesDecideWhereThereAreSome) {
   SegmentedMap map = MapOf(2, 8);
   map.ground.status = GroundStatus::kOk;
   map.ground.plane = {Eigen::Vector3d::UnitZ(), 0};
-  map.cells[0].cell.mean.z() = 0.3F;
+  map.cells[0].mean.z() = 0.3F;
   const Decision decision = ClassifyClusters(map, model);
   ASSERT_EQ(decision.hypotheses.size(), 2U);
   EXPECT_NEAR(decision.hypotheses[0].centroid.x(), 0, 1e-6);
@@ -152,7 +152,7 @@ TEST(ClassifyClusters, TheNetworkHasItsShareOfTheEvidence) {
   SegmentedMap map = MapOf(2, 8);
   map.ground.status = GroundStatus::kOk;
   map.ground.plane = {Eigen::Vector3d::UnitZ(), 0};
-  map.cells[0].cell.mean.z() = 0.3F;
+  map.cells[0].mean.z() = 0.3F;
   const double high = std::tanh(1.0 / 16), low = std::tanh(-1.0 / 16);  // 0.3 m and 0.1 m
   const auto expect = [&](double best, double other) {
     const Decision decision = ClassifyClusters(map, model);
@@ -212,7 +212,7 @@ TEST(ClassifyClusters, JudgesPartsToo) {
 
   EXPECT_EQ(decision.hypotheses.size(), 2U);  // 2.5 m apart: two persons
 
-  for (ScoredCell& scored : map.cells) scored.cell.mean.y() *= 0.6F;
+  for (ScoredCell& scored : map.cells) scored.mean.y() *= 0.6F;
   const Decision of_one = ClassifyClusters(map, model);  // upper body and legs, 1.5 m apart
   ASSERT_EQ(of_one.hypotheses.size(), 1U);
   EXPECT_EQ(of_one.hypotheses[0].cell_count, 50);
@@ -225,7 +225,7 @@ TEST(ClassifyClusters, JudgesPartsToo) {
 TEST(ClassifyClusters, FindsNobodyByTreesWithoutAFloor) {
   const ClusterModel model = ModelWithTrees();
   SegmentedMap map = MapOf(2, 8);
-  map.cells[0].cell.mean.z() = 0.3F;
+  map.cells[0].mean.z() = 0.3F;
   for (const PersonHypothesis& hypothesis : ClassifyClusters(map, model).hypotheses)
     EXPECT_EQ(hypothesis.probability, model.calibration.Probability(-1));
 }

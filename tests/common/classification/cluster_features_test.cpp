@@ -15,13 +15,11 @@ namespace {
 constexpr float kCell = 0.05F;
 
 void AddCell(SegmentedMap& map, const Eigen::Vector3f& mean, bool is_member, float score) {
-  ScoredCell scored;
-  scored.cell.mean = mean;
-  scored.cell.covariance = {4e-4F, 0, 0, 2e-4F, 0, 1e-5F};  // a level patch
-  scored.score = score;
-  scored.cluster = is_member ? 0 : -1;
-  if (is_member) map.clusters[0].cells.push_back(static_cast<std::int32_t>(map.cells.size()));
-  map.cells.push_back(scored);
+  if (is_member) {
+    map.clusters[0].cells.push_back(static_cast<std::int32_t>(map.cells.size()));
+    map.members.push_back({mean, {4e-4F, 0, 0, 2e-4F, 0, 1e-5F}});  // a level patch
+  }
+  map.cells.push_back({mean, score, is_member ? 0 : -1});
 }
 
 // A slab 2 m long and 0.5 m wide, turned by `yaw`, its cells at 0.1 m and at 0.2 m above the floor;

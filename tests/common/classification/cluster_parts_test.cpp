@@ -22,8 +22,8 @@ void AddSheet(SegmentedMap& map, const Eigen::Vector2f& corner, int length, int 
     for (int k = 0; k < width; ++k) {
       cluster.cells.push_back(static_cast<std::int32_t>(map.cells.size()));
       ScoredCell& scored = map.cells.emplace_back();
-      scored.cell.mean = {corner.x() + kCell * static_cast<float>(i),
-                          corner.y() + kCell * static_cast<float>(k), 0.15F};
+      scored.mean = {corner.x() + kCell * static_cast<float>(i),
+                     corner.y() + kCell * static_cast<float>(k), 0.15F};
       scored.score = score;
       scored.cluster = 0;
     }

@@ -21,7 +21,7 @@ OrientedBox BoxAround(const std::vector<Eigen::Vector3f>& means) {
   CellCluster cluster;
   for (const Eigen::Vector3f& mean : means) {
     cluster.cells.push_back(static_cast<std::int32_t>(map.cells.size()));
-    map.cells.emplace_back().cell.mean = mean;
+    map.cells.emplace_back().mean = mean;
   }
   return FitUprightBox(map, cluster);
 }

@@ -188,6 +188,7 @@ TEST(ClustersConversion, RoundTripIsExact) {
   EXPECT_EQ(back.background, value.background);
   EXPECT_EQ(back.iron, value.iron);
   EXPECT_EQ(back.cells, value.cells);
+  EXPECT_EQ(back.members, value.members);
   ASSERT_EQ(back.clusters.size(), value.clusters.size());
   for (std::size_t c = 0; c < back.clusters.size(); ++c) {
     EXPECT_EQ(back.clusters[c].cells, value.clusters[c].cells);
@@ -198,15 +199,24 @@ TEST(ClustersConversion, RoundTripIsExact) {
 TEST(ClustersConversion, NoClustersAndNoCellsAreNoMistake) {
   SegmentedMap value = SampleSegmented();
   value.clusters.clear();
+  value.members.clear();
   for (auto& cell : value.cells) cell.cluster = -1;
   EXPECT_EQ(FromMessage(ToMessage(SampleHeader(), value)).cells, value.cells);
   EXPECT_TRUE(FromMessage(ToMessage(SampleHeader(), SegmentedMap{})).cells.empty());
 }
 
-TEST(ClustersConversion, OnlyCellsInClustersSendDescriptors) {
+TEST(ClustersConversion, OnlyCellsInClustersSendMoreThanTheirMean) {
   const clusters_t message = ToMessage(SampleHeader(), SampleSegmented());
-  EXPECT_EQ(message.cells.count, 7);
+  EXPECT_EQ(message.cell_count, 7);
+  EXPECT_EQ(message.members.count, 5);
+  EXPECT_EQ(message.other_count, 2);
   EXPECT_EQ(message.descriptor_count, 5);
+}
+
+void DropOther(clusters_t& message) {
+  for (auto* means : {&message.other_mean_x, &message.other_mean_y, &message.other_mean_z})
+    means->pop_back();
+  --message.other_count;
 }
 
 TEST(ClustersConversion, RefusesEachBadField) {
@@ -225,8 +235,16 @@ TEST(ClustersConversion, RefusesEachBadField) {
       {"clusters_t.iron.min_needle_ratio", [](auto& m) { m.iron.min_needle_ratio = kNan; }},
       {"clusters_t.iron.min_neighbors", [](auto& m) { m.iron.min_neighbors = -1; }},
       {"clusters_t.dimension", [](auto& m) { m.dimension = 11; }},
-      {"clusters_t.cells[0].mean", [](auto& m) { m.cells.mean_x[0] = kNan; }},
-      {"clusters_t.cells[0].mean", [](auto& m) { m.cells.mean_x[0] = 5000; }},
+      {"clusters_t.members[0].mean", [](auto& m) { m.members.mean_x[0] = kNan; }},
+      {"clusters_t.members[0].mean", [](auto& m) { m.members.mean_x[0] = 5000; }},
+      {"clusters_t.members[2].covariance", [](auto& m) { m.members.covariance_yy[2] = -1; }},
+      {"clusters_t.members.count", [](auto& m) { m.members.count = 4; }},
+      {"clusters_t.members.count", [](auto& m) { m.cluster[1] = -1; }},
+      {"clusters_t.other[1].mean", [](auto& m) { m.other_mean_z[1] = kNan; }},
+      {"clusters_t.other[0].mean", [](auto& m) { m.other_mean_y[0] = 5000; }},
+      {"clusters_t.other_count", [](auto& m) { m.other_count = 3; }},
+      {"clusters_t.other_count", [](auto& m) { m.other_mean_z.pop_back(); }},
+      {"clusters_t.other_count", [](auto& m) { DropOther(m); }},
       {"clusters_t.cell_count", [](auto& m) { m.cell_count = 8; }},
       {"clusters_t.cell_count", [](auto& m) { m.score.pop_back(); }},
       {"clusters_t.score", [](auto& m) { m.score[3] = 1.5f; }},
@@ -235,7 +253,7 @@ TEST(ClustersConversion, RefusesEachBadField) {
       {"clusters_t.cluster[0]", [](auto& m) { m.cluster[0] = 7; }},
       {"clusters_t.cluster", [](auto& m) { m.cluster[0] = 4; }},
       {"clusters_t.descriptor_count", [](auto& m) { m.descriptor_count = 4; }},
-      {"clusters_t.descriptor_count", [](auto& m) { m.cluster[0] = 1; }},
+      {"clusters_t.members.count", [](auto& m) { m.cluster[0] = 1; }},
       {"clusters_t.dimension", [](auto& m) { m.descriptor[2].pop_back(); }},
       {"clusters_t.descriptor", [](auto& m) { m.descriptor[2][3] = kNan; }},
   };
@@ -255,6 +273,15 @@ TEST(ClustersConversion, WritingRefusesClustersThatDoNotAgreeWithTheirCells) {
   EXPECT_THROW(ToMessage(SampleHeader(), value), std::invalid_argument);
   value = SampleSegmented();
   value.clusters[1].descriptors.conservativeResize(Eigen::NoChange, 11);
+  EXPECT_THROW(ToMessage(SampleHeader(), value), std::invalid_argument);
+  value = SampleSegmented();
+  value.members.pop_back();
+  EXPECT_THROW(ToMessage(SampleHeader(), value), std::invalid_argument);
+  value = SampleSegmented();
+  value.members.push_back(value.members[0]);
+  EXPECT_THROW(ToMessage(SampleHeader(), value), std::invalid_argument);
+  value = SampleSegmented();
+  std::swap(value.members[0], value.members[1]);
   EXPECT_THROW(ToMessage(SampleHeader(), value), std::invalid_argument);
 }
 

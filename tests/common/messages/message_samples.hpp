@@ -73,8 +73,10 @@ inline SegmentedMap SampleSegmented() {
   segmented.clusters.resize(2);
   const auto cells = SampleCells(7);
   for (int i = 0; i < 7; ++i) {
-    segmented.cells.push_back({cells[i], 0.25f * static_cast<float>(i) - 0.9f, clusters[i]});
-    if (clusters[i] >= 0) segmented.clusters[clusters[i]].cells.push_back(i);
+    segmented.cells.push_back({cells[i].mean, 0.25f * static_cast<float>(i) - 0.9f, clusters[i]});
+    if (clusters[i] < 0) continue;
+    segmented.members.push_back(cells[i]);
+    segmented.clusters[clusters[i]].cells.push_back(i);
   }
   for (auto& cluster : segmented.clusters) {
     cluster.descriptors.resize(static_cast<Eigen::Index>(cluster.cells.size()), 12);

@@ -67,7 +67,7 @@ double MeanScoreWithin(float radius_m, const ScoredCell& center,
   double sum = 0;
   int count = 0;
   for (const ScoredCell& cell : cells)
-    if ((cell.cell.mean - center.cell.mean).squaredNorm() <= radius_m * radius_m) {
+    if ((cell.mean - center.mean).squaredNorm() <= radius_m * radius_m) {
       sum += cell.score;
       ++count;
     }
@@ -84,8 +84,8 @@ TEST(SegmentCells, FindsTheTwoLowPlates) {
   std::size_t k = 0;
   for (std::size_t i = 0; i < foreground.map.cells.size(); ++i) {
     if (foreground.map.cells[i].mean.y() == 50) continue;
-    EXPECT_EQ(segmented.cells[k].cell, foreground.map.cells[i]);
-    const bool is_low = segmented.cells[k].cell.mean.z() < 0.5F;
+    EXPECT_EQ(segmented.cells[k].mean, foreground.map.cells[i].mean);
+    const bool is_low = segmented.cells[k].mean.z() < 0.5F;
     EXPECT_EQ(segmented.cells[k].score, is_low ? 1 : -1);
     EXPECT_EQ(segmented.cells[k].cluster, !is_low ? -1 : k < kPlate ? 0 : 1);
     ++k;
@@ -171,8 +171,8 @@ TEST(SegmentCells, TurnsCellsAwayAtTheGate) {
   EXPECT_EQ(all.clusters.size(), 3U);
   ASSERT_EQ(gated.clusters.size(), 2U);
   for (std::size_t k = 0; k < gated.cells.size(); ++k) {
-    const bool is_low = gated.cells[k].cell.mean.z() < 0.5F;
-    EXPECT_EQ(gated.cells[k].cell, all.cells[k].cell);
+    const bool is_low = gated.cells[k].mean.z() < 0.5F;
+    EXPECT_EQ(gated.cells[k].mean, all.cells[k].mean);
     EXPECT_EQ(gated.cells[k].score, is_low ? 1 : -0.25F);
     EXPECT_EQ(gated.cells[k].cluster < 0, !is_low);
   }
@@ -192,7 +192,7 @@ TEST(SegmentCells, LetsWhatWasTurnedAwayHaveItsSayInSmoothing) {
   const SegmentedMap raw = SegmentCells(foreground, GateToLowCells(), config);
   int mixed = 0;
   for (const ScoredCell& cell : segmented.cells) {
-    if (cell.cell.mean.z() > 0.5F) {
+    if (cell.mean.z() > 0.5F) {
       EXPECT_EQ(cell.score, -0.25F);
       continue;
     }

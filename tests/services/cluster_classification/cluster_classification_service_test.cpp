@@ -29,13 +29,12 @@ SegmentedMap TwoClusters() {
     members.descriptors.resize(20, dimension);
     for (int i = 0; i < 20; ++i) {
       members.cells.push_back(static_cast<std::int32_t>(map.cells.size()));
-      ScoredCell& scored = map.cells.emplace_back();
-      scored.cell.mean =
+      NdtCell& cell = map.members.emplace_back();
+      cell.mean =
           Eigen::Vector3f(static_cast<float>(2 * cluster), 0.05F * static_cast<float>(i), 0.1F);
-      scored.cell.covariance = {2e-4F, 0, 0, 2e-4F, 0, 1e-5F};
-      scored.cell.point_count = 5;
-      scored.score = 0.5F;
-      scored.cluster = cluster;
+      cell.covariance = {2e-4F, 0, 0, 2e-4F, 0, 1e-5F};
+      cell.point_count = 5;
+      map.cells.push_back({cell.mean, 0.5F, cluster});
       for (int k = 0; k < dimension; ++k)
         members.descriptors(i, k) = static_cast<float>(generator() % 100) / 1000.0F;
     }

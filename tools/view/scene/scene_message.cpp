@@ -16,7 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kMaxImageWidth = 320;  // of the thinned image: a panel of the page is no wider
+constexpr double kBallDeviation = 0.15;  // of a ball's cell sizes
+constexpr int kMaxImageWidth = 320;      // of the thinned image: a panel of the page is no wider
 
 json ToJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -71,33 +72,42 @@ void AddImage(json& facts, std::vector<std::uint16_t>& depth, const DepthImage& 
     }
 }
 
-/// The map of a frame, or what the segmentation says of it where only that has spoken.
+/// A cell of which only the place is known.
+NdtCell Ball(const Eigen::Vector3f& mean, double cell_size_m) {
+  const auto variance = static_cast<float>(std::pow(kBallDeviation * cell_size_m, 2));
+  return {mean, {variance, 0, 0, variance, 0, variance}, 1, 0};
+}
+
+/// The map of a frame, or what the segmentation says of it where only that has spoken: the cells of
+/// clusters, and small balls for the others, of which it tells the place alone.
 std::optional<NdtMap> MapOf(const Scene& scene) {
   if (scene.map) return scene.map->map;
   if (!scene.segmented) return std::nullopt;
   const SegmentedMap& segmented = *scene.segmented;
   NdtMap map{segmented.cell_size_m, segmented.frame,  segmented.T_map_camera,
              segmented.view,        segmented.ground, {}};
-  for (const ScoredCell& scored : segmented.cells) map.cells.push_back(scored.cell);
+  auto member = segmented.members.begin();
+  for (const ScoredCell& scored : segmented.cells)
+    map.cells.push_back(scored.cluster >= 0 ? *member++ : Ball(scored.mean, map.cell_size_m));
   return map;
 }
 
 /// What is known of each cell of `map`.
 std::vector<CellMark> MarksOf(const Scene& scene, const NdtMap& map, CellAges& ages) {
   using Place = std::array<float, 3>;
-  const auto place_of = [](const NdtCell& cell) {
-    return Place{cell.mean.x(), cell.mean.y(), cell.mean.z()};
+  const auto place_of = [](const Eigen::Vector3f& mean) {
+    return Place{mean.x(), mean.y(), mean.z()};
   };
   std::map<Place, const ScoredCell*> scored_at;
   if (scene.segmented)
     for (const ScoredCell& scored : scene.segmented->cells)
-      scored_at[place_of(scored.cell)] = &scored;
+      scored_at[place_of(scored.mean)] = &scored;
   const std::vector<double> ages_s = ages.Update(scene.header.utime, map.cell_size_m, map.cells);
   std::vector<CellMark> marks(map.cells.size());
   for (std::size_t i = 0; i < marks.size(); ++i) {
     marks[i].age_s = ages_s[i];
     if (scene.map) marks[i].is_foreground = scene.map->is_foreground[i] != 0;
-    const auto found = scored_at.find(place_of(map.cells[i]));
+    const auto found = scored_at.find(place_of(map.cells[i].mean));
     if (found == scored_at.end()) continue;
     marks[i].score = found->second->score;
     marks[i].cluster = found->second->cluster;
