@@ -24,7 +24,7 @@ void CheckBackgroundStatus(const clusters_t& message) {
 }
 
 // Members with all that is known of them, of the others the mean.
-void CellsToMessage(const SegmentedMap& segmented, clusters_t& message) {
+void ScoredCellsToMessage(const SegmentedMap& segmented, clusters_t& message) {
   message.cell_count = static_cast<std::int32_t>(segmented.cells.size());
   message.score.reserve(segmented.cells.size());
   message.cluster.reserve(segmented.cells.size());
@@ -46,16 +46,16 @@ void CellsToMessage(const SegmentedMap& segmented, clusters_t& message) {
     message.other_mean_z.push_back(scored.mean.z());
   }
   checks::Count(kMembers + ".count", static_cast<std::int64_t>(segmented.members.size()), member);
-  message.members = fallen::CellsToMessage(segmented.members);
+  message.members = CellsToMessage(segmented.members);
   message.other_count = static_cast<std::int32_t>(message.other_mean_x.size());
 }
 
-void CellsFromMessage(const clusters_t& message, SegmentedMap& segmented) {
+void ScoredCellsFromMessage(const clusters_t& message, SegmentedMap& segmented) {
   checks::Count(kClusters + ".cell_count", message.cell_count, message.score.size());
   checks::Count(kClusters + ".cell_count", message.cell_count, message.cluster.size());
   for (const auto* means : {&message.other_mean_x, &message.other_mean_y, &message.other_mean_z})
     checks::Count(kClusters + ".other_count", message.other_count, means->size());
-  segmented.members = fallen::CellsFromMessage(kMembers, message.members);
+  segmented.members = CellsFromMessage(kMembers, message.members);
   std::size_t members = 0;
   for (const std::int32_t cluster : message.cluster) members += cluster >= 0;
   checks::Count(kMembers + ".count", message.members.count, members);
@@ -158,7 +158,7 @@ clusters_t ToMessage(const Header& header, const SegmentedMap& segmented) {
   message.background_status = static_cast<std::int32_t>(segmented.background);
   CheckBackgroundStatus(message);
   message.iron = IronToMessage(segmented.iron);
-  CellsToMessage(segmented, message);
+  ScoredCellsToMessage(segmented, message);
   message.dimension = segmented.iron.dimension();
   message.descriptor = DescriptorsToMessage(segmented, message.dimension);
   message.descriptor_count = static_cast<std::int32_t>(message.descriptor.size());
@@ -175,7 +175,7 @@ SegmentedMap FromMessage(const clusters_t& message) {
                   segmented.iron.dimension());
 
   segmented.clusters = ClustersFromMessage(message);
-  CellsFromMessage(message, segmented);
+  ScoredCellsFromMessage(message, segmented);
   FillDescriptors(message, segmented.clusters);
   return segmented;
 }

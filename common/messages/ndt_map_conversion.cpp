@@ -19,9 +19,9 @@ void CheckFlags(const ndt_map_t& message) {
   for (const std::uint8_t flag : message.is_foreground) checks::InRange(kFlags, flag, 0, 1);
 }
 
-void CheckNearCamera(const NdtMap& map) {
+void CheckCellsNearCamera(const NdtMap& map) {
   for (std::size_t i = 0; i < map.cells.size(); ++i)
-    fallen::CheckNearCamera(kCells, i, map.cells[i].mean, map.T_map_camera);
+    CheckNearCamera(kCells, i, map.cells[i].mean, map.T_map_camera);
 }
 
 // All but the flags.
@@ -29,7 +29,7 @@ NdtMap CheckedMap(const ndt_map_t& message) {
   NdtMap map;
   MapPartFromMessage(kNdtMap, message, map);
   map.cells = CellsFromMessage(kCells, message.cells);
-  CheckNearCamera(map);
+  CheckCellsNearCamera(map);
   return map;
 }
 
@@ -39,7 +39,7 @@ ndt_map_t ToMessage(const Header& header, const NdtMap& map) {
   ndt_map_t message{};
   MapPartToMessage(kNdtMap, header, map, message);
   message.cells = CellsToMessage(map.cells);
-  CheckNearCamera(map);
+  CheckCellsNearCamera(map);
   message.background_status = static_cast<std::int32_t>(BackgroundStatus::kNoEnvironmentMap);
   return message;
 }
