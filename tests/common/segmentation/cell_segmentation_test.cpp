@@ -82,14 +82,17 @@ TEST(SegmentCells, FindsTheTwoLowPlates) {
   ASSERT_EQ(segmented.cells.size(), 3U * kPlate);  // the lone cells have no descriptor
   ASSERT_EQ(segmented.clusters.size(), 2U);
   std::size_t k = 0;
+  std::vector<NdtCell> members;
   for (std::size_t i = 0; i < foreground.map.cells.size(); ++i) {
     if (foreground.map.cells[i].mean.y() == 50) continue;
     EXPECT_EQ(segmented.cells[k].mean, foreground.map.cells[i].mean);
     const bool is_low = segmented.cells[k].mean.z() < 0.5F;
     EXPECT_EQ(segmented.cells[k].score, is_low ? 1 : -1);
     EXPECT_EQ(segmented.cells[k].cluster, !is_low ? -1 : k < kPlate ? 0 : 1);
+    if (is_low) members.push_back(foreground.map.cells[i]);
     ++k;
   }
+  EXPECT_EQ(segmented.members, members);
   EXPECT_EQ(segmented.frame, MapFrame::kWorld);
   EXPECT_EQ(segmented.ground, foreground.map.ground);
   EXPECT_EQ(segmented.background, BackgroundStatus::kSubtracted);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -160,6 +161,27 @@ TEST(SceneToMessage, LeavesOutWhatIsNotKnown) {
   EXPECT_TRUE(facts.contains("depth"));
   scene.image.reset();
   EXPECT_FALSE(Open(SceneToMessage(scene, 0, ages)).facts.contains("depth"));
+}
+
+TEST(SceneToMessage, ShowsCellsOfNoClusterAsBallsWhereOnlyTheirPlaceIsKnown) {
+  Scene scene;
+  SegmentedMap& segmented = scene.segmented.emplace();
+  segmented.members = {CellAt(1, 2, 0.1F)};
+  segmented.cells = {{{0, 2, 0.2F}, -0.5F, -1}, {{1, 2, 0.1F}, 0.5F, 0}};
+  segmented.clusters.resize(1);
+  segmented.clusters[0].cells = {1};
+  CellAges ages;
+  const Opened opened = Open(SceneToMessage(scene, 0, ages));
+  const auto t = opened.Array<std::int16_t>("texels");
+  ASSERT_EQ(t.size(), 24U);
+  const double step = opened.facts["cells"]["root_step_m"];
+  const double deviation = 0.15 * segmented.cell_size_m;
+  EXPECT_NEAR(t[4] * step, deviation, 2 * step);
+  EXPECT_NEAR(t[6] * step, deviation, 2 * step);
+  EXPECT_NEAR(t[10] * step, deviation, 2 * step);
+  EXPECT_THAT((std::vector{t[5], t[8], t[9]}), ElementsAre(0, 0, 0));
+  EXPECT_NEAR(t[16] * step, std::sqrt(segmented.members[0].covariance[0]), 2 * step);
+  EXPECT_THAT((std::vector{t[3], t[15]}), ElementsAre(-1, 0));
 }
 
 TEST(SceneToMessage, ThinsALargeImage) {
