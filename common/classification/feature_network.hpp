@@ -39,8 +39,8 @@ struct FeatureNetwork {
   }
   Eigen::Index feature_count() const { return mean.size(); }
   /// @throws std::invalid_argument if there are layers and one does not fit to what is before it,
-  /// the last has not one output, a value is not finite, or
-  /// weights are so large that a score could become so.
+  /// the last has not one output, a value is not finite, or weights are so large that a score could
+  /// become so.
   void Validate() const;
   bool operator==(const FeatureNetwork& other) const;
 };
