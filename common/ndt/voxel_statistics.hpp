@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "fallen/ndt/symmetric_eigen.hpp"
@@ -47,10 +48,30 @@ struct Moments {
   SymmetricMatrix3 scatter{};    ///< sum of (p - mean)(p - mean)^T [m^2]
 
   /// Scatter / (count - 1); zero for less than two points.
-  SymmetricMatrix3 Covariance() const;
+  SymmetricMatrix3 Covariance() const {
+    SymmetricMatrix3 covariance{};
+    if (count < 2) return covariance;
+    const double weight = 1 / (count - 1);
+    for (int k = 0; k < 6; ++k) covariance[k] = scatter[k] * weight;
+    return covariance;
+  }
 };
 
-Moments MomentsOf(const PointSums<double>& sums);
+/// v v^T.
+inline SymmetricMatrix3 OuterProduct(const std::array<double, 3>& v) {
+  return {v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
+}
+
+inline Moments MomentsOf(const PointSums<double>& sums) {
+  Moments moments;
+  if (sums.count <= 0) return moments;
+  moments.count = sums.count;
+  const double weight = 1 / sums.count;
+  for (int k = 0; k < 3; ++k) moments.mean[k] = sums.sum[k] * weight;
+  const SymmetricMatrix3 sq_mean = OuterProduct(moments.mean);
+  for (int k = 0; k < 6; ++k) moments.scatter[k] = sums.square[k] - sums.count * sq_mean[k];
+  return moments;
+}
 
 /// Moments of the union of two sets of points. [Einhorn15]: S = S1 + S2 + n1 n2 / (n1 + n2) d d^T,
 /// where d is the difference of the means.
@@ -68,7 +89,18 @@ inline constexpr double kLeastEigenvalueRatio = 1e-6;
 inline constexpr double kMinVariance = 1e-9;
 
 /// A quick test, true for many cells: FloorEigenvalues leaves such a matrix as it is.
-bool EigenvaluesSurelyStay(const SymmetricMatrix3& covariance, double ratio);
+///
+/// The trace is at least the largest eigenvalue, and the smallest is above what must be if the
+/// matrix less that much of the identity is positive definite, which its leading minors tell
+/// (Sylvester).
+inline bool EigenvaluesSurelyStay(const SymmetricMatrix3& m, double ratio) {
+  const double least = std::max(ratio * (m[0] + m[3] + m[5]), kMinVariance);
+  const double xx = m[0] - least, yy = m[3] - least, zz = m[5] - least;
+  const double minor = xx * yy - m[1] * m[1];
+  const double determinant =
+      minor * zz - xx * m[4] * m[4] - yy * m[2] * m[2] + 2 * m[1] * m[2] * m[4];
+  return xx > 0 && minor > 0 && determinant > 0;
+}
 
 /// Raises eigenvalues below `ratio` times the largest to that, and all to at least kMinVariance:
 /// the result is positive definite, a single spot too. Untouched, bit for bit, if there are none.

@@ -6,7 +6,7 @@ namespace fallen {
 namespace {
 
 // Room for 8 192 voxels, a furnished room's worth, before the table grows.
-constexpr std::size_t kInitialSlots = 16384;
+constexpr std::size_t kInitialSlots = 32768;
 
 // Odd multipliers with well mixed bits, the high half folded down for the table's mask.
 std::size_t Hash(const VoxelIndex& index) {
@@ -21,32 +21,32 @@ std::size_t Hash(const VoxelIndex& index) {
 
 }  // namespace
 
-VoxelStore::VoxelStore() : slots_(kInitialSlots) {}
+VoxelStore::VoxelStore() : slots_(kInitialSlots, kEmpty) {}
 
 // The slot that holds `index`, or the empty one where it would go.
 std::size_t VoxelStore::SlotOf(const VoxelIndex& index) const {
   const std::size_t mask = slots_.size() - 1;
   std::size_t at = Hash(index) & mask;
-  while (slots_[at].position >= 0 && !(slots_[at].index == index)) at = (at + 1) & mask;
+  while (slots_[at] != kEmpty && !incoming_[slots_[at]].IsAt(index)) at = (at + 1) & mask;
   return at;
 }
 
 std::int32_t VoxelStore::FindOrAdd(const VoxelIndex& index) {
   const std::size_t at = SlotOf(index);
-  if (slots_[at].position >= 0) return slots_[at].position;
+  if (slots_[at] != kEmpty) return slots_[at];
 
   const std::int32_t position = size();
-  slots_[at] = {index, position};
+  slots_[at] = position;
   voxels_.emplace_back().index = index;
   incoming_.emplace_back().index = index;
-  if (2 * voxels_.size() > slots_.size()) Rehash(2 * slots_.size());
+  if (4 * voxels_.size() > slots_.size()) Rehash(2 * slots_.size());
   return position;
 }
 
 void VoxelStore::Remove(std::int32_t position) {
   EmptySlot(SlotOf(voxels_[position].index));
   if (position + 1 < size()) {
-    slots_[SlotOf(voxels_.back().index)].position = position;
+    slots_[SlotOf(voxels_.back().index)] = position;
     voxels_[position] = voxels_.back();
     incoming_[position] = incoming_.back();
   }
@@ -58,28 +58,28 @@ void VoxelStore::Remove(std::int32_t position) {
 // ends too early at the gap.
 void VoxelStore::EmptySlot(std::size_t at) {
   const std::size_t mask = slots_.size() - 1;
-  for (std::size_t next = (at + 1) & mask; slots_[next].position >= 0; next = (next + 1) & mask) {
-    const std::size_t home = Hash(slots_[next].index) & mask;
+  for (std::size_t next = (at + 1) & mask; slots_[next] != kEmpty; next = (next + 1) & mask) {
+    const std::size_t home = Hash(incoming_[slots_[next]].index) & mask;
     if (((next - home) & mask) < ((next - at) & mask)) continue;  // would come before its home
     slots_[at] = slots_[next];
     at = next;
   }
-  slots_[at] = {};
+  slots_[at] = kEmpty;
 }
 
 void VoxelStore::Clear() {
   voxels_.clear();
   incoming_.clear();
-  slots_.assign(slots_.size(), Slot{});
+  slots_.assign(slots_.size(), kEmpty);
 }
 
 void VoxelStore::Rehash(std::size_t slot_count) {
-  slots_.assign(slot_count, Slot{});
+  slots_.assign(slot_count, kEmpty);
   const std::size_t mask = slot_count - 1;
-  for (std::size_t i = 0; i < voxels_.size(); ++i) {
-    std::size_t at = Hash(voxels_[i].index) & mask;
-    while (slots_[at].position >= 0) at = (at + 1) & mask;
-    slots_[at] = {voxels_[i].index, static_cast<std::int32_t>(i)};
+  for (std::int32_t position = 0; position < size(); ++position) {
+    std::size_t at = Hash(incoming_[position].index) & mask;
+    while (slots_[at] != kEmpty) at = (at + 1) & mask;
+    slots_[at] = position;
   }
 }
 

@@ -68,17 +68,15 @@ class VoxelStore {
   std::vector<IncomingPoints>& incoming() { return incoming_; }
 
  private:
-  struct Slot {
-    VoxelIndex index;
-    std::int32_t position = -1;  ///< in `voxels_`; -1: empty
-  };
   std::size_t SlotOf(const VoxelIndex& index) const;
   void EmptySlot(std::size_t at);
   void Rehash(std::size_t slot_count);
 
   std::vector<Voxel> voxels_;
   std::vector<IncomingPoints> incoming_;
-  std::vector<Slot> slots_;  ///< open addressing, a power of two, at most half full
+  /// Positions, or kEmpty: open addressing, a power of two, at most a quarter full.
+  std::vector<std::int32_t> slots_;
+  static constexpr std::int32_t kEmpty = -1;
 };
 
 }  // namespace fallen
