@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace fallen {
+
 Moments Merge(const Moments& a, const Moments& b) {
   if (a.count <= 0) return b;
   if (b.count <= 0) return a;

@@ -6,7 +6,7 @@ namespace fallen {
 namespace {
 
 // Room for 8 192 voxels, a furnished room's worth, before the table grows.
-constexpr std::size_t kInitialSlots = 32768;
+constexpr std::size_t kInitialSlots = 16384;
 
 // Odd multipliers with well mixed bits, the high half folded down for the table's mask.
 std::size_t Hash(const VoxelIndex& index) {
@@ -39,7 +39,7 @@ std::int32_t VoxelStore::FindOrAdd(const VoxelIndex& index) {
   slots_[at] = position;
   voxels_.emplace_back().index = index;
   incoming_.emplace_back().index = index;
-  if (4 * voxels_.size() > slots_.size()) Rehash(2 * slots_.size());
+  if (2 * voxels_.size() > slots_.size()) Rehash(2 * slots_.size());
   return position;
 }
 

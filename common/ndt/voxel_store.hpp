@@ -74,7 +74,7 @@ class VoxelStore {
 
   std::vector<Voxel> voxels_;
   std::vector<IncomingPoints> incoming_;
-  /// Positions, or kEmpty: open addressing, a power of two, at most a quarter full.
+  /// Positions, or kEmpty: open addressing, a power of two, at most half full.
   std::vector<std::int32_t> slots_;
   static constexpr std::int32_t kEmpty = -1;
 };
