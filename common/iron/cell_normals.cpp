@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Fallen Person Detector contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -12,9 +12,10 @@ namespace fallen {
 namespace {
 
 bool IsFinite(const NdtCell& cell) {
-  bool finite = cell.mean.allFinite();
-  for (const float value : cell.covariance) finite = finite && std::isfinite(value);
-  return finite;
+  float zero = 0;  // else NaN: no branch
+  for (const float value : cell.mean) zero += 0 * value;
+  for (const float value : cell.covariance) zero += 0 * value;
+  return zero == 0;
 }
 
 CellNormal NormalOf(const EigenBatch& batch, std::size_t lane, const IronConfig& config) {
@@ -52,19 +53,19 @@ void ComputeNormals(std::span<const NdtCell> cells, const IronConfig& config,
   RequireOneEach(normals.size(), cells.size());
   MatrixBatch batch;
   EigenBatch solved;
+  std::array<bool, kMostLanes> finite;
   for (std::size_t begin = 0; begin < cells.size(); begin += kMostLanes) {
     const std::size_t count = std::min<std::size_t>(kMostLanes, cells.size() - begin);
     if (count < kMostLanes) batch = {};
     for (std::size_t lane = 0; lane < count; ++lane) {
       const NdtCell& cell = cells[begin + lane];
-      const bool finite = IsFinite(cell);
+      finite[lane] = IsFinite(cell);
       for (std::size_t k = 0; k < 6; ++k)
-        batch.coefficients[k][lane] = finite ? cell.covariance[k] : 0.0F;
+        batch.coefficients[k][lane] = finite[lane] ? cell.covariance[k] : 0.0F;
     }
     DecomposeLikeEigen(batch, solved);
     for (std::size_t lane = 0; lane < count; ++lane)
-      normals[begin + lane] =
-          IsFinite(cells[begin + lane]) ? NormalOf(solved, lane, config) : CellNormal{};
+      normals[begin + lane] = finite[lane] ? NormalOf(solved, lane, config) : CellNormal{};
   }
 }
 
