@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "fallen/iron/iron_descriptor.hpp"
 
@@ -58,14 +59,24 @@ TEST(CellNormals, LeaveOutBallsAndNeedles) {
 }
 
 TEST(CellNormals, LeaveOutCellsThatAreNotFinite) {
-  NdtCell cell = CellWith(Eigen::Vector3f(1e-6f, 1e-4f, 2e-4f).asDiagonal());
-  cell.covariance[4] = std::numeric_limits<float>::quiet_NaN();
-  NdtCell lost = CellWith(Eigen::Vector3f(1e-6f, 1e-4f, 2e-4f).asDiagonal());
-  lost.mean.x() = std::numeric_limits<float>::infinity();
-  const std::vector<NdtCell> cells = {cell, lost};
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const NdtCell good = CellWith(Eigen::Vector3f(1e-6f, 1e-4f, 2e-4f).asDiagonal());
+  // Each of a cell's nine values in turn, good cells between them.
+  std::vector<NdtCell> cells;
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity})
+    for (int k = 0; k < 9; ++k) {
+      NdtCell cell = good;
+      (k < 3 ? cell.mean[k] : cell.covariance[k - 3]) = bad;
+      cells.insert(cells.end(), {cell, good});
+    }
   const std::vector<CellNormal> normals = ComputeNormals(cells);
-  EXPECT_FALSE(normals[0].usable);
-  EXPECT_FALSE(normals[1].usable);
+  ASSERT_EQ(normals.size(), 54U);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const bool is_good = i % 2 == 1;
+    EXPECT_EQ(normals[i].usable, is_good) << i;
+    EXPECT_EQ(normals[i].normal.isZero(0), !is_good) << i;
+    EXPECT_EQ(normals[i].eigenvalues.isZero(0), !is_good) << i;
+  }
 }
 
 TEST(CellNormals, OfNothingAreNothing) { EXPECT_TRUE(ComputeNormals({}).empty()); }
