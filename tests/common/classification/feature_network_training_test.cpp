@@ -112,8 +112,7 @@ TEST(TrainFeatureNetwork, StepsDownTheGradient) {
 
 TEST(TrainFeatureNetwork, FindsTheLogOddsOfTheWeights) {
   // At 1 persons weigh three times as much as others, at -1 a third.
-  const Samples samples{
-      (FeatureMatrix(4, 1) << 1, 1, -1, -1).finished(), {1, -1, 1, -1}, {3, 1, 1, 3}};
+  const Samples samples{Eigen::Vector4f(1, 1, -1, -1), {1, -1, 1, -1}, {3, 1, 1, 3}};
   const NetworkTrainingConfig config{.epochs = 3000,
                                      .first_units = 8,
                                      .second_units = 8,
