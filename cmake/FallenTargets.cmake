@@ -89,7 +89,7 @@ function(fallen_test name)
   target_compile_definitions(${name} PRIVATE FALLEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                              FALLEN_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
   target_link_libraries(${name} PRIVATE fallen_warnings ${ARG_DEPENDS} GTest::gmock_main)
-  # What is tested is optimised as shipped; the tests around it are compiled in four fifths of the time.
+  # Saves a fifth of the compiling. Libraries are optimised as shipped, but for what headers define.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
   # NO_PRETTY_VALUES: a parameter has its name; its bytes would differ from build to build.
