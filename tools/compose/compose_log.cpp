@@ -14,6 +14,7 @@
 #include "tools/common/partial_file.hpp"
 #include "tools/common/progress_bar.hpp"
 #include "tools/frames/frame_source.hpp"
+#include "tools/simulate/random.hpp"
 
 namespace fallen {
 namespace {
@@ -70,8 +71,9 @@ int ComposeFrame(const Frame& frame, const Eigen::Isometry3d& T_level_camera,
   int written = 0;
   for (const Place& place : OrderPlaces(free, seed)) {
     if (written == options.places) break;
-    Composition composition =
-        Compose(frame.image, T_level_camera, person, place.Pose(), options.composition);
+    CompositionConfig config = options.composition;
+    config.noise_seed = sim::MixBits(seed) + static_cast<std::uint64_t>(written);
+    Composition composition = Compose(frame.image, T_level_camera, person, place.Pose(), config);
     if (composition.visible_share < options.min_visible_share) continue;
     write(std::move(composition), place);
     ++written;
@@ -82,7 +84,7 @@ int ComposeFrame(const Frame& frame, const Eigen::Isometry3d& T_level_camera,
 }  // namespace
 
 ComposeReport ComposeLog(const ComposeOptions& options) {
-  const PersonCloud person = LoadPersonCloud(options.person, options.up);
+  const PersonCloud person = LoadPersonCloud(options.person, options.up, options.floor_cut_m);
   const std::vector<Frame> frames = LoadFrames(options.scene, options.frames);
   PartialFile output(options.log);
   LogWriter writer(output.path());

@@ -15,6 +15,7 @@ namespace fallen {
 struct ComposeOptions {
   std::filesystem::path person;  ///< cloud, PLY or PCD
   CloudUp up = CloudUp::kMinusY;
+  double floor_cut_m = 0;       ///< see MakePersonCloud
   std::filesystem::path scene;  ///< any recording
   std::filesystem::path log;    ///< to write
   int frames = 10;              ///< of the scene to use, evenly spread

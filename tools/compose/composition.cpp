@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tools/compose/sensor_noise.hpp"
 #include "tools/compose/splat_rendering.hpp"
 
 namespace fallen {
@@ -56,7 +57,9 @@ Composition Compose(const DepthImage& scene, const Eigen::Isometry3d& T_level_ca
                     const CompositionConfig& config) {
   const CameraIntrinsics& camera = scene.intrinsics;
   const Eigen::Isometry3d T_camera_person = T_level_camera.inverse() * T_level_person;
-  const std::vector<double> depth_m = RenderSplats(person.splats, camera, T_camera_person);
+  const std::vector<double> depth_m =
+      AddSensorNoise(RenderSplats(person.splats, camera, T_camera_person), camera,
+                     config.noise_scale, config.noise_seed);
   Composition result{scene, std::vector<std::uint8_t>(scene.depth.size(), 0), 0};
   std::size_t i = 0;
   for (int v = 0; v < camera.height; ++v)

@@ -23,6 +23,9 @@ struct CompositionConfig {
   /// default is that of the PrimeSense family.
   double disparity_step_px = 0.125;
   double baseline_m = 0.075;  ///< between projector and camera
+  /// See AddSensorNoise. The points' own noise is gone: a pixel's depth is a mean of several.
+  double noise_scale = 1;
+  std::uint64_t noise_seed = 1;
 };
 
 /// Sets a person into a scene: what is nearer hides the person, who hides what is farther. The

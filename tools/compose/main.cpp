@@ -24,6 +24,12 @@ int main(int argc, char** argv) {
   parser->add_option("--up", up, "Up in the cloud: -y (a camera's optical frame) or z")
       ->check(CLI::IsMember({"-y", "z"}))
       ->capture_default_str();
+  parser
+      ->add_option("--floor-cut", options.floor_cut_m,
+                   "Height up to which the person was cut away with the floor [m]: the surface is "
+                   "continued down to it; 0: the lowest points touched the floor")
+      ->check(CLI::Range(0.0, 0.2))
+      ->capture_default_str();
   parser->add_option("--frames", options.frames, "Frames of the scene to use, evenly spread")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
@@ -47,6 +53,12 @@ int main(int argc, char** argv) {
           "--disparity-step", options.composition.disparity_step_px,
           "Steps of the sensor [px of a 640 px wide image]; 0: finer than the image's unit")
       ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
+  parser
+      ->add_option("--noise", options.composition.noise_scale,
+                   "Times the noise of a structured-light camera that the person gets, as the "
+                   "scene has its own; 0: none")
+      ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   parser->add_option("--seed", options.seed, "Of the choice of places")->capture_default_str();
 

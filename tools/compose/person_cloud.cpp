@@ -27,6 +27,8 @@ constexpr double kSigmaPerSpacing = 0.7;
 constexpr double kMinSigmaM = 0.003;
 constexpr double kMaxSigmaM = 0.035;  // points sparser than limbs are thick make no surface
 constexpr double kBoxMarginM = 0.02;
+constexpr double kRimM = 0.05;  // so far above the cut points are continued below it
+constexpr double kRimStepM = 0.01;
 
 Eigen::Matrix3d UprightRotation(CloudUp up) {
   Eigen::Matrix3d R_upright_cloud = Eigen::Matrix3d::Identity();
@@ -88,9 +90,20 @@ std::vector<Splat> MakeSplats(const std::vector<Eigen::Vector3d>& points) {
   return splats;
 }
 
+void ContinueToFloor(double floor_cut_m, std::vector<Eigen::Vector3d>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Eigen::Vector3d p = points[i];
+    if (p.z() > floor_cut_m + kRimM) continue;
+    for (p.z() -= kRimStepM; p.z() > 0; p.z() -= kRimStepM)
+      if (p.z() < floor_cut_m) points.push_back(p);
+  }
+}
+
 }  // namespace
 
-PersonCloud MakePersonCloud(const std::vector<Eigen::Vector3d>& points, CloudUp up) {
+PersonCloud MakePersonCloud(const std::vector<Eigen::Vector3d>& points, CloudUp up,
+                            double floor_cut_m) {
   if (points.size() < kMinPoints)
     throw std::invalid_argument(
         "got " + std::to_string(points.size()) +
@@ -98,16 +111,17 @@ PersonCloud MakePersonCloud(const std::vector<Eigen::Vector3d>& points, CloudUp 
   std::vector<Eigen::Vector3d> upright;
   for (const Eigen::Vector3d& p : points) upright.push_back(UprightRotation(up) * p);
   const Eigen::Vector3d middle = BoxAround(upright).center;
-  const Eigen::Translation3d to_floor(-middle.x(), -middle.y(), -FloorHeight(upright));
+  const Eigen::Translation3d to_floor(-middle.x(), -middle.y(), floor_cut_m - FloorHeight(upright));
   const Eigen::AngleAxisd to_bearing(-std::atan2(middle.y(), middle.x()), Eigen::Vector3d::UnitZ());
   const Eigen::Isometry3d T_person_upright = to_bearing * to_floor;
   for (Eigen::Vector3d& p : upright) p = T_person_upright * p;
+  ContinueToFloor(floor_cut_m, upright);
   return {MakeSplats(upright), BoxAround(upright)};
 }
 
-PersonCloud LoadPersonCloud(const std::filesystem::path& file, CloudUp up) {
+PersonCloud LoadPersonCloud(const std::filesystem::path& file, CloudUp up, double floor_cut_m) {
   try {
-    return MakePersonCloud(ReadCloud(file), up);
+    return MakePersonCloud(ReadCloud(file), up, floor_cut_m);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }

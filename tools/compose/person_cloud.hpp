@@ -35,13 +35,17 @@ struct PersonCloud {
   OrientedBox box;  ///< around the points, from the floor up; its x runs along the person
 };
 
-/// Makes a surface of the points of a lying person, with the lowest of them on the floor.
-/// @param points  At least 50 [m]; nothing but the person.
+/// Makes a surface of the points of a lying person, with the lowest of them on the floor, or as
+/// high above it as whoever took the floor away also took the person's.
+/// @param points       At least 50 [m]; nothing but the person.
+/// @param floor_cut_m  Up to this height nothing is left, >= 0: the surface goes on straight down
+///                     from the points above it.
 /// @throws std::invalid_argument for too few points.
 /// Deterministic. O(n log n).
-PersonCloud MakePersonCloud(const std::vector<Eigen::Vector3d>& points, CloudUp up);
+PersonCloud MakePersonCloud(const std::vector<Eigen::Vector3d>& points, CloudUp up,
+                            double floor_cut_m = 0);
 
 /// The same from a PLY or PCD file. @throws std::runtime_error naming the file.
-PersonCloud LoadPersonCloud(const std::filesystem::path& file, CloudUp up);
+PersonCloud LoadPersonCloud(const std::filesystem::path& file, CloudUp up, double floor_cut_m);
 
 }  // namespace fallen

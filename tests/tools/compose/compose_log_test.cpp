@@ -45,6 +45,7 @@ class ComposingLogs : public testing::Test {
 };
 
 TEST_F(ComposingLogs, EveryImageHasAPoseATruthAndAPerson) {
+  options_.composition.noise_scale = 0;
   const ComposeReport report = ComposeLog(options_);
   EXPECT_EQ(report.used_frames, 3);
   EXPECT_EQ(report.images, 6);
@@ -57,7 +58,7 @@ TEST_F(ComposingLogs, EveryImageHasAPoseATruthAndAPerson) {
     ASSERT_TRUE(truth && truth->person_box);
     EXPECT_EQ(truth->person, "body");
     EXPECT_EQ(truth->room, "scene");
-    // Every labelled pixel lies in the box, up to a step of the depth.
+    // Without noise every labelled pixel lies in the box, up to a step of the depth.
     OrientedBox box = *truth->person_box;
     box.size += Eigen::Vector3d::Constant(0.06);
     const CameraIntrinsics& camera = frame->image.intrinsics;

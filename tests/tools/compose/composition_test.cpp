@@ -4,12 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include "fallen/geometry/ground_plane.hpp"
 #include "tests/tools/common/lying_scene.hpp"
 #include "tests/tools/compose/half_cylinder.hpp"
 #include "tools/compose/free_places.hpp"
+#include "tools/compose/sensor_noise.hpp"
 #include "tools/compose/splat_rendering.hpp"
 
 namespace fallen {
@@ -98,6 +105,64 @@ TEST_F(Composing, PlacesKeepClearOfWhatStandsThere) {
   EXPECT_LT(beside.size(), free.size());
   for (const Place& place : beside)
     EXPECT_FALSE(BoxAt(place, person_.box).Contains({block.center.x(), block.center.y(), 0.05}));
+}
+
+TEST_F(Composing, WhatWasCutAwayWithTheFloorIsContinuedDownToIt) {
+  const double cut_m = kBodyRadiusM * std::sin(std::numbers::pi * 2 / 27);  // the third row
+  std::vector<Eigen::Vector3d> points = HalfCylinder();
+  std::erase_if(points, [&](const Eigen::Vector3d& p) { return p.y() > 1 - cut_m + 1e-9; });
+  const PersonCloud sunk = MakePersonCloud(points, CloudUp::kMinusY);
+  const PersonCloud restored = MakePersonCloud(points, CloudUp::kMinusY, cut_m);
+  EXPECT_LT(sunk.box.size.z(), person_.box.size.z() - 0.03);
+  EXPECT_NEAR(restored.box.size.z(), person_.box.size.z(), 0.01);
+
+  CompositionConfig config;
+  config.noise_scale = 0;
+  const Eigen::Isometry3d pose = Place{2, 0, 0}.Pose();
+  const Composition whole = Compose(scene_.image, T_level_camera_, person_, pose, config);
+  const auto pixels_that_differ = [&](const PersonCloud& person) {
+    const Composition other = Compose(scene_.image, T_level_camera_, person, pose, config);
+    return std::inner_product(whole.is_person.begin(), whole.is_person.end(),
+                              other.is_person.begin(), 0, std::plus<>(), std::not_equal_to<>());
+  };
+  EXPECT_LT(2 * pixels_that_differ(restored), pixels_that_differ(sunk));
+}
+
+TEST_F(Composing, PersonIsAsNoisyAsTheCameraWouldSeeIt) {
+  CameraIntrinsics camera = scene_.image.intrinsics;
+  std::vector<double> wall(static_cast<std::size_t>(camera.width) * camera.height, 2.5);
+  EXPECT_EQ(AddSensorNoise(wall, camera, 0, 1), wall);
+  EXPECT_EQ(AddSensorNoise(wall, camera, 1, 1), AddSensorNoise(wall, camera, 1, 1));
+  EXPECT_NE(AddSensorNoise(wall, camera, 1, 1), AddSensorNoise(wall, camera, 1, 2));
+  for (const double scale : {0.5, 1.0}) {
+    double sum = 0, sq_sum = 0;
+    int count = 0;
+    for (const double z_m : AddSensorNoise(wall, camera, scale, 3)) {
+      if (z_m == 0) continue;  // seen past the picture's border
+      ++count;
+      sum += z_m - 2.5;
+      sq_sum += (z_m - 2.5) * (z_m - 2.5);
+    }
+    ASSERT_GT(count, 0.95 * static_cast<double>(wall.size()));
+    EXPECT_NEAR(sum / count, 0, 0.001);
+    // [Nguyen12, Eq. 3]: 1.2 mm + 1.9 mm/m^2 (2.5 m - 0.4 m)^2
+    EXPECT_NEAR(std::sqrt(sq_sum / count), scale * 0.0096, 0.001);
+  }
+  // Across the ray: an outline is frayed, and nothing appears far from it.
+  for (int v = 0; v < camera.height; ++v)
+    std::fill_n(wall.begin() + static_cast<std::ptrdiff_t>(v) * camera.width, camera.width / 2, 0);
+  const std::vector<double> half = AddSensorNoise(wall, camera, 1, 4);
+  int frayed = 0;
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 5; u < camera.width - 5; ++u) {
+      const auto i = static_cast<std::size_t>(v) * camera.width + u;
+      const bool differs = (half[i] > 0) != (wall[i] > 0);
+      frayed += differs;
+      if (std::abs(u - camera.width / 2) > 4 && v >= 5 && v < camera.height - 5) {
+        ASSERT_FALSE(differs) << u << ' ' << v;
+      }
+    }
+  EXPECT_GT(frayed, 10);
 }
 
 TEST_F(Composing, TooFewPointsAreNoPerson) {
