@@ -106,6 +106,7 @@ void Scenario::Validate() const {
           "0 to 0.2");
   Require(odometry_drift >= 0 && odometry_drift <= 0.5, "odometry_drift", odometry_drift,
           "0 to 0.5");
+  Require(noise_scale >= 0 && noise_scale <= 10, "noise_scale", noise_scale, "0 to 10");
   Require(distractors.size() <= 20, "distractors", distractors.size(), "at most 20");
   for (const std::string& kind : distractors) {
     std::string kinds;

@@ -56,6 +56,7 @@ struct Scenario {
   double mounting_error_m = 0;
   double odometry_drift = 0;  ///< metres astray for each metre driven
   bool noise = true;
+  double noise_scale = 1;  ///< times the noise of that copy of the sensor, along the ray and across
 
   template <class Visitor>
   void Visit(Visitor&& visit) {
@@ -90,6 +91,7 @@ struct Scenario {
     visit("mounting_error_m", mounting_error_m);
     visit("odometry_drift", odometry_drift);
     visit("noise", noise);
+    visit("noise_scale", noise_scale);
   }
 
   /// @throws std::invalid_argument: "<key>: got ..., expected ...".

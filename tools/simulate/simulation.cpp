@@ -85,6 +85,8 @@ Simulation::Simulation(const Scenario& scenario, const Assets& assets) : scenari
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   sensor_ = DrawSensor(scenario.sensor, scenario.width, scenario.sensor_variation, seed);
   sensor_.config.noise = scenario.noise;
+  sensor_.config.axial_noise_scale *= scenario.noise_scale;
+  sensor_.config.lateral_noise_px *= scenario.noise_scale;
   if (scenario.furnished) {
     scene_ = FurnishRoom(scenario.room, scenario.furniture_pool, assets.furniture, scenario.clutter,
                          scenario.room_kind)

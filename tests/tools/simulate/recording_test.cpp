@@ -151,6 +151,26 @@ TEST_F(RecordingTest, MountingErrorIsInThePictureNotInTheMessage) {
   EXPECT_NE(exact.TakeFrame(0).image.depth.depth, off.TakeFrame(0).image.depth.depth);
 }
 
+TEST_F(RecordingTest, NoiseScaleIsTimesTheSensorsOwnNoise) {
+  const auto median_error_mm = [&](const std::string& noise) {
+    const std::string scenario = "person: true\nsensor: time_of_flight\n";
+    const DepthImage exact =
+        Simulation(Short(scenario + "noise: false"), assets()).TakeFrame(0).image.depth;
+    const DepthImage noisy = Simulation(Short(scenario + noise), assets()).TakeFrame(0).image.depth;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < exact.depth.size(); ++i)
+      if (exact.depth[i] > 0 && noisy.depth[i] > 0)
+        errors.push_back(std::abs(exact.depth[i] - noisy.depth[i]));
+    std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+    return errors[errors.size() / 2];
+  };
+  const double usual = median_error_mm("noise_scale: 1");
+  EXPECT_EQ(usual, median_error_mm("noise: true"));
+  EXPECT_GT(median_error_mm("noise_scale: 4"), 2 * usual);
+  EXPECT_LE(median_error_mm("noise_scale: 0.2"), usual);
+  EXPECT_THROW(Short("noise_scale: -1"), std::exception);
+}
+
 TEST_F(RecordingTest, OdometryDriftGrowsFromNothing) {
   const Simulation simulation(Short("person: true\nodometry_drift: 0.1", {"frames=60"}), assets());
   const Frame first = simulation.TakeFrame(0), last = simulation.TakeFrame(59);
