@@ -87,47 +87,49 @@ FALLEN_TARGET_AVX2 inline void CountLanes(const BaseLanes& bases, int lane, cons
   const __m256 row1 = _mm256_set1_ps(binning.rows > 1 ? binning.row_from[0] : none);
   const __m256 row2 = _mm256_set1_ps(binning.rows > 2 ? binning.row_from[1] : none);
   Counters counters = {};
-  int until_full = kNibbleLimit;
   int until_bytes_full = kByteLimit;
-  for (const std::int32_t* at = near; at != near + near_count; ++at) {
-    const PairCell* const cell = cells + *at;
-    const __m256 dx = _mm256_sub_ps(x, _mm256_set1_ps(cell->x));
-    const __m256 dy = _mm256_sub_ps(y, _mm256_set1_ps(cell->y));
-    const __m256 dz = _mm256_sub_ps(z, _mm256_set1_ps(cell->z));
-    const __m256 sq_distance = _mm256_add_ps(
-        _mm256_add_ps(_mm256_mul_ps(dx, dx), _mm256_mul_ps(dy, dy)), _mm256_mul_ps(dz, dz));
-    const __m256 inside = _mm256_cmp_ps(sq_distance, sq_radius, _CMP_LE_OQ);
-    if (_mm256_movemask_ps(inside) == 0) continue;
-    const __m256 between =
-        _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(nx, _mm256_set1_ps(cell->normal_x)),
-                                    _mm256_mul_ps(ny, _mm256_set1_ps(cell->normal_y))),
-                      _mm256_mul_ps(nz, _mm256_set1_ps(cell->normal_z)));
-    const __m256 along = _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(nx, dx), _mm256_mul_ps(ny, dy)),
-                                       _mm256_mul_ps(nz, dz));
-    const __m256 sign = _mm256_set1_ps(-0.0F);
-    const __m256i increment0 =
-        IncrementOf(_mm256_mul_ps(between, _mm256_andnot_ps(sign, between)), tables);
-    const __m256i increment1 =
-        IncrementOf(_mm256_div_ps(_mm256_mul_ps(along, _mm256_andnot_ps(sign, along)),
-                                  _mm256_max_ps(sq_distance, least)),
-                    tables);
-    const auto add = [&](int row, __m256 mask) __attribute__((target("avx2"))) {
-      __m256i* const to = counters.nibbles[row];
-      const __m256i wanted = _mm256_castps_si256(mask);
-      to[0] = _mm256_add_epi32(to[0], _mm256_and_si256(increment0, wanted));
-      to[1] = _mm256_add_epi32(to[1], _mm256_and_si256(increment1, wanted));
-    };
-    add(0, inside);
-    add(1, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row1, _CMP_GE_OQ)));
-    add(2, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row2, _CMP_GE_OQ)));
-    if (--until_full > 0) continue;
-    until_full = kNibbleLimit;
+  const std::int32_t* at = near;
+  const std::int32_t* const end = near + near_count;
+  // Two loops, so that the inner one does not drag the bytes along.
+  while (at != end) {
+    for (int until_full = kNibbleLimit; until_full > 0 && at != end; ++at) {
+      const PairCell* const cell = cells + *at;
+      const __m256 dx = _mm256_sub_ps(x, _mm256_set1_ps(cell->x));
+      const __m256 dy = _mm256_sub_ps(y, _mm256_set1_ps(cell->y));
+      const __m256 dz = _mm256_sub_ps(z, _mm256_set1_ps(cell->z));
+      const __m256 sq_distance = _mm256_add_ps(
+          _mm256_add_ps(_mm256_mul_ps(dx, dx), _mm256_mul_ps(dy, dy)), _mm256_mul_ps(dz, dz));
+      const __m256 inside = _mm256_cmp_ps(sq_distance, sq_radius, _CMP_LE_OQ);
+      if (_mm256_movemask_ps(inside) == 0) continue;
+      const __m256 between =
+          _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(nx, _mm256_set1_ps(cell->normal_x)),
+                                      _mm256_mul_ps(ny, _mm256_set1_ps(cell->normal_y))),
+                        _mm256_mul_ps(nz, _mm256_set1_ps(cell->normal_z)));
+      const __m256 along = _mm256_add_ps(
+          _mm256_add_ps(_mm256_mul_ps(nx, dx), _mm256_mul_ps(ny, dy)), _mm256_mul_ps(nz, dz));
+      const __m256 sign = _mm256_set1_ps(-0.0F);
+      const __m256i increment0 =
+          IncrementOf(_mm256_mul_ps(between, _mm256_andnot_ps(sign, between)), tables);
+      const __m256i increment1 =
+          IncrementOf(_mm256_div_ps(_mm256_mul_ps(along, _mm256_andnot_ps(sign, along)),
+                                    _mm256_max_ps(sq_distance, least)),
+                      tables);
+      const auto add = [&](int row, __m256 mask) __attribute__((target("avx2"))) {
+        __m256i* const to = counters.nibbles[row];
+        const __m256i wanted = _mm256_castps_si256(mask);
+        to[0] = _mm256_add_epi32(to[0], _mm256_and_si256(increment0, wanted));
+        to[1] = _mm256_add_epi32(to[1], _mm256_and_si256(increment1, wanted));
+      };
+      add(0, inside);
+      add(1, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row1, _CMP_GE_OQ)));
+      add(2, _mm256_and_ps(inside, _mm256_cmp_ps(sq_distance, row2, _CMP_GE_OQ)));
+      --until_full;
+    }
     EmptyNibbles(counters);
     if (--until_bytes_full > 0) continue;
     until_bytes_full = kByteLimit;
     EmptyBytes(counters, binning, counts);
   }
-  EmptyNibbles(counters);
   EmptyBytes(counters, binning, counts);
 }
 
