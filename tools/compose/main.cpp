@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
                    "scene has its own; 0: none")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
-  parser->add_option("--seed", options.seed, "Of the choice of places")->capture_default_str();
+  parser->add_option("--seed", options.seed, "Of the choice of places and of the noise")
+      ->capture_default_str();
 
   return fallen::RunTool(*parser, argc, argv, [&] {
     options.up = up == "z" ? fallen::CloudUp::kZ : fallen::CloudUp::kMinusY;
