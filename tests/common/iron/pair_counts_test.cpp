@@ -96,6 +96,22 @@ TEST(CountPairs, GivesThePlainCountsAtEveryLevel) {
   ExpectPlainCountsAtEveryLevel(RandomScene(9000, 2), wide);
 }
 
+TEST(CountPairs, FillsOneCounterToTheBrim) {
+  IronConfig wide;
+  wide.radius_m = 2;
+  Scene plane = RandomScene(9000, 5);
+  for (PairCell& cell : plane.cells) {
+    cell.z = 0;
+    cell.normal_x = cell.normal_y = 0;
+    cell.normal_z = 1;
+  }
+  plane.bases.z.fill(0);
+  plane.bases.normal_x.fill(0);
+  plane.bases.normal_y.fill(0);
+  plane.bases.normal_z.fill(PairBinning::kNormalScale);
+  ExpectPlainCountsAtEveryLevel(plane, wide);
+}
+
 TEST(CountPairs, TakesOtherHistogramsThanThePapers) {
   for (const int rows : {1, 2, 3, 5})
     for (const int columns : {1, 2, 3, 7, 8, 9, 32}) {
