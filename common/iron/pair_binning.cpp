@@ -73,6 +73,20 @@ ColumnTables::ColumnTables(const PairBinning& binning) {
     edge_positive[index] = edge_of(positive);
     edge_negative[index] = edge_of(negative);
   }
+  if (!valid) return;
+  for (int index = 0; index < 8; ++index) {
+    const std::int32_t inner = 1 << (4 * least[index]);
+    // In the last column's class there is no column beyond it.
+    const std::int32_t outer = least[index] < kMaxColumns - 1 ? inner * 16 : 0;
+    signed_edge[index] = edge_positive[index];
+    increment_below[index] = outer;
+    increment_from[index] = inner;
+    // Class k of |q| is class -k - 1 of q; |q| < edge is q > -edge, which is not q < (the next).
+    const int mirrored = 15 - index;
+    signed_edge[mirrored] = std::nextafter(-edge_negative[index], kInfinity);
+    increment_below[mirrored] = inner;
+    increment_from[mirrored] = outer;
+  }
 }
 
 }  // namespace fallen

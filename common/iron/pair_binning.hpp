@@ -56,7 +56,9 @@ struct PairBinning {
 /// edge. The squares of the paper's edges, cosines of multiples of 11.25 degrees, fall into one
 /// class each.
 ///
-/// |q| < edge is in column `least + 1`, else in `least`.
+/// |q| < edge is in column `least + 1`, else in `least`. The same by q itself, whose classes are
+/// 0 to 7 for q >= 0 and -8 to -1, in places 8 to 15, for q < 0: 1 << 4 column is `increment_below`
+/// if q < `signed_edge`, else `increment_from`.
 struct ColumnTables {
   static constexpr int kMaxRows = 3;
   static constexpr int kMaxColumns = 8;
@@ -65,6 +67,9 @@ struct ColumnTables {
   std::array<std::int32_t, 8> least{};
   std::array<float, 8> edge_positive{};  ///< infinite where all are in `least + 1`
   std::array<float, 8> edge_negative{};  ///< for q < 0
+  std::array<float, 16> signed_edge{};
+  std::array<std::int32_t, 16> increment_below{};
+  std::array<std::int32_t, 16> increment_from{};
 
   explicit ColumnTables(const PairBinning& binning);
 };

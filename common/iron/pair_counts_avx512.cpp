@@ -5,7 +5,6 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-#include <cmath>
 #include <limits>
 
 #include "fallen/simd/simd_level.hpp"
@@ -61,36 +60,16 @@ FALLEN_TARGET_AVX512 inline void EmptyBytes(Counters& counters, const PairBinnin
       for (__m512i& bytes : histogram) bytes = _mm512_setzero_si512();
 }
 
+// See ColumnTables.
 struct Tables {
-  __m512 edge;              // by class: 0 to 7 for q >= 0, -8 to -1 for q < 0
-  __m512i increment_below;  // 1 << 4 column if q < edge
-  __m512i increment_from;   // if not
+  __m512 signed_edge;
+  __m512i increment_below, increment_from;
 };
-
-FALLEN_TARGET_AVX512 inline Tables MakeTables(const ColumnTables& columns) {
-  alignas(64) float edge[16];
-  alignas(64) std::int32_t below[16], from[16];
-  for (int k = 0; k < 8; ++k) {
-    const std::int32_t inner = 1 << (4 * columns.least[k]);
-    // In the last column's class there is no column beyond it.
-    const std::int32_t outer = columns.least[k] < 7 ? inner * 16 : 0;
-    edge[k] = columns.edge_positive[k];
-    below[k] = outer;
-    from[k] = inner;
-    // Class k of |q| is class -k - 1 of q; |q| < edge is q > -edge, which is not q < (the next).
-    const int negative = 15 - k;
-    edge[negative] =
-        std::nextafter(-columns.edge_negative[k], std::numeric_limits<float>::infinity());
-    below[negative] = inner;
-    from[negative] = outer;
-  }
-  return {_mm512_load_ps(edge), _mm512_load_si512(below), _mm512_load_si512(from)};
-}
 
 FALLEN_TARGET_AVX512 inline __m512i IncrementOf(__m512 q, const Tables& tables) {
   const __m512i index = _mm512_cvt_roundps_epi32(q, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
   const __mmask16 below =
-      _mm512_cmp_ps_mask(q, _mm512_permutexvar_ps(index, tables.edge), _CMP_LT_OQ);
+      _mm512_cmp_ps_mask(q, _mm512_permutexvar_ps(index, tables.signed_edge), _CMP_LT_OQ);
   const __m512i from = _mm512_permutexvar_epi32(index, tables.increment_from);
   return _mm512_mask_permutexvar_epi32(from, below, index, tables.increment_below);
 }
@@ -112,46 +91,51 @@ FALLEN_TARGET_AVX512 void CountPairsAvx512(const BaseLanes& bases, const PairCel
   const float none = std::numeric_limits<float>::infinity();
   const __m512 row1 = _mm512_set1_ps(binning.rows > 1 ? binning.row_from[0] : none);
   const __m512 row2 = _mm512_set1_ps(binning.rows > 2 ? binning.row_from[1] : none);
-  const Tables tables = MakeTables(columns);
+  const Tables tables = {_mm512_loadu_ps(columns.signed_edge.data()),
+                         _mm512_loadu_si512(columns.increment_below.data()),
+                         _mm512_loadu_si512(columns.increment_from.data())};
   Counters counters = {};
-  int until_full = kNibbleLimit;
   int until_bytes_full = kByteLimit;
-  for (const std::int32_t* at = near; at != near + near_count; ++at) {
-    const PairCell* const cell = cells + *at;
-    const __m512 dx = _mm512_sub_ps(x, _mm512_set1_ps(cell->x));
-    const __m512 dy = _mm512_sub_ps(y, _mm512_set1_ps(cell->y));
-    const __m512 dz = _mm512_sub_ps(z, _mm512_set1_ps(cell->z));
-    const __m512 sq_distance = _mm512_add_ps(
-        _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy)), _mm512_mul_ps(dz, dz));
-    const __mmask16 inside = _mm512_cmp_ps_mask(sq_distance, sq_radius, _CMP_LE_OQ);
-    const __m512 between =
-        _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(nx, _mm512_set1_ps(cell->normal_x)),
-                                    _mm512_mul_ps(ny, _mm512_set1_ps(cell->normal_y))),
-                      _mm512_mul_ps(nz, _mm512_set1_ps(cell->normal_z)));
-    const __m512 along = _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(nx, dx), _mm512_mul_ps(ny, dy)),
-                                       _mm512_mul_ps(nz, dz));
-    const __m512i increment0 = IncrementOf(_mm512_mul_ps(between, _mm512_abs_ps(between)), tables);
-    const __m512i increment1 = IncrementOf(_mm512_div_ps(_mm512_mul_ps(along, _mm512_abs_ps(along)),
-                                                         _mm512_max_ps(sq_distance, least)),
-                                           tables);
-    const __mmask16 from1 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row1, _CMP_GE_OQ);
-    const __mmask16 from2 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row2, _CMP_GE_OQ);
-    const auto add = [&](int row, __mmask16 mask) __attribute__((target("avx512f"))) {
-      __m512i* const to = counters.nibbles[row];
-      to[0] = _mm512_mask_add_epi32(to[0], mask, to[0], increment0);
-      to[1] = _mm512_mask_add_epi32(to[1], mask, to[1], increment1);
-    };
-    add(0, inside);
-    add(1, from1);
-    add(2, from2);
-    if (--until_full > 0) continue;
-    until_full = kNibbleLimit;
+  const std::int32_t* at = near;
+  const std::int32_t* const end = near + near_count;
+  // Two loops, so that the inner one does not drag the bytes along.
+  while (at != end) {
+    for (int until_full = kNibbleLimit; until_full > 0 && at != end; ++at, --until_full) {
+      const PairCell* const cell = cells + *at;
+      const __m512 dx = _mm512_sub_ps(x, _mm512_set1_ps(cell->x));
+      const __m512 dy = _mm512_sub_ps(y, _mm512_set1_ps(cell->y));
+      const __m512 dz = _mm512_sub_ps(z, _mm512_set1_ps(cell->z));
+      const __m512 sq_distance = _mm512_add_ps(
+          _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy)), _mm512_mul_ps(dz, dz));
+      const __mmask16 inside = _mm512_cmp_ps_mask(sq_distance, sq_radius, _CMP_LE_OQ);
+      const __m512 between =
+          _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(nx, _mm512_set1_ps(cell->normal_x)),
+                                      _mm512_mul_ps(ny, _mm512_set1_ps(cell->normal_y))),
+                        _mm512_mul_ps(nz, _mm512_set1_ps(cell->normal_z)));
+      const __m512 along = _mm512_add_ps(
+          _mm512_add_ps(_mm512_mul_ps(nx, dx), _mm512_mul_ps(ny, dy)), _mm512_mul_ps(nz, dz));
+      const __m512i increment0 =
+          IncrementOf(_mm512_mul_ps(between, _mm512_abs_ps(between)), tables);
+      const __m512i increment1 =
+          IncrementOf(_mm512_div_ps(_mm512_mul_ps(along, _mm512_abs_ps(along)),
+                                    _mm512_max_ps(sq_distance, least)),
+                      tables);
+      const __mmask16 from1 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row1, _CMP_GE_OQ);
+      const __mmask16 from2 = _mm512_mask_cmp_ps_mask(inside, sq_distance, row2, _CMP_GE_OQ);
+      const auto add = [&](int row, __mmask16 mask) __attribute__((target("avx512f"))) {
+        __m512i* const to = counters.nibbles[row];
+        to[0] = _mm512_mask_add_epi32(to[0], mask, to[0], increment0);
+        to[1] = _mm512_mask_add_epi32(to[1], mask, to[1], increment1);
+      };
+      add(0, inside);
+      add(1, from1);
+      add(2, from2);
+    }
     EmptyNibbles(counters);
     if (--until_bytes_full > 0) continue;
     until_bytes_full = kByteLimit;
     EmptyBytes(counters, binning, counts);
   }
-  EmptyNibbles(counters);
   EmptyBytes(counters, binning, counts);
 }
 
