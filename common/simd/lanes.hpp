@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +71,13 @@ template <class Vector>
 /// True if any lane of a comparison is.
 template <class Ints>
 [[gnu::always_inline]] inline bool AnyOf(const Ints& mask) {
+#if defined(__SSE2__)
+  if constexpr (sizeof(Ints) == 2 * sizeof(__m128i)) {
+    __m128i halves[2];
+    std::memcpy(halves, &mask, sizeof(mask));
+    return _mm_movemask_epi8(_mm_or_si128(halves[0], halves[1])) != 0;
+  }
+#endif
   std::uint64_t words[sizeof(Ints) / sizeof(std::uint64_t)];
   std::memcpy(words, &mask, sizeof(mask));
   std::uint64_t any = 0;
