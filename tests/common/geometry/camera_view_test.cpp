@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace fallen {
 namespace {
@@ -50,6 +54,33 @@ TEST(CameraView, BlocksThatAreMostlyNotMeasuredSayNothing) {
   EXPECT_FALSE(MakeCameraView(image).DepthTowards({0, 0, 1}));
   for (std::size_t i = 0; i < image.depth.size(); ++i) image.depth[i] = i % 7 == 0 ? 0 : 3000;
   EXPECT_EQ(MakeCameraView(image).DepthTowards({0, 0, 1}), 3.0);
+}
+
+TEST(CameraView, KeepsTheMedianOfWhatIsMeasured) {
+  // With blocks of up to five pixels a side every pixel is a sample.
+  std::mt19937 random(1);
+  for (const auto& [width, height] : {std::pair{160, 120}, {157, 118}, {90, 7}}) {
+    DepthImage image = WallImage(width, height, 0);
+    for (std::uint16_t& depth : image.depth)
+      depth = random() % 5 < 2 ? 0 : static_cast<std::uint16_t>(1 + random() % 32767);
+    const CameraView view = MakeCameraView(image);
+    const int block = (width + 31) / 32;
+    for (int row = 0; row < view.intrinsics.height; ++row)
+      for (int column = 0; column < view.intrinsics.width; ++column) {
+        std::vector<std::uint16_t> measured;
+        int looked_at = 0;
+        for (int v = row * block; v < std::min((row + 1) * block, height); ++v)
+          for (int u = column * block; u < std::min((column + 1) * block, width); ++u, ++looked_at)
+            if (const auto depth = image.depth[v * width + u]; depth != 0)
+              measured.push_back(depth);
+        std::sort(measured.begin(), measured.end());
+        const bool is_known =
+            !measured.empty() && 2 * static_cast<int>(measured.size()) >= looked_at;
+        EXPECT_EQ(view.depth_mm[row * view.intrinsics.width + column],
+                  is_known ? measured[measured.size() / 2] : 0)
+            << width << " pixels, " << row << " " << column;
+      }
+  }
 }
 
 TEST(CameraView, KnowsTheUnitAndHowFarItCanTell) {
